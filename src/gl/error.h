@@ -1,0 +1,21 @@
+// GL errors (GL 1.5 §2.5) and the debug log that names the offending call (TERRAZZO_DEBUG=1).
+//
+// The first error sticks until glGetError fetches it. A command that records an error has no other effect.
+#pragma once
+
+#include <GL/gl.h>
+
+namespace terrazzo::gl {
+
+struct Context;
+
+struct ErrorState {
+    GLenum code = GL_NO_ERROR;
+    const char* command = "";  // the GL command being executed, for the log; set by thunks in debug mode only
+};
+
+// Records `code` unless one is pending. `rule` says which rule was broken, in words for the debug log, such as
+// "width is negative".
+void record_error(Context& ctx, GLenum code, const char* rule);
+
+}  // namespace terrazzo::gl
