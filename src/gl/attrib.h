@@ -1,0 +1,20 @@
+// The server and client attribute stacks (GL 1.5 §6.1.14): what glPushAttrib and glPushClientAttrib saved.
+//
+// Entries are made and applied in attrib.cpp only, which knows all chapters; here they are opaque.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+namespace terrazzo::gl {
+
+struct SavedAttributes;
+struct SavedClientAttributes;
+
+struct AttribState {
+    // shared_ptr because it can destroy a type that is incomplete here; entries are never shared.
+    std::vector<std::shared_ptr<const SavedAttributes>> server;
+    std::vector<std::shared_ptr<const SavedClientAttributes>> client;
+};
+
+}  // namespace terrazzo::gl

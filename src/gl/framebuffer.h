@@ -1,0 +1,33 @@
+// Where and how the frame buffer is addressed (GL 1.5 §2.11.1, §4.2, §4.3.2; tables 6.9, 6.21): viewport,
+// depth range, clear values, the buffers drawn to and read from.
+#pragma once
+
+#include <GL/gl.h>
+
+#include <array>
+
+namespace terrazzo::gl {
+
+// The part that glPushAttrib(GL_VIEWPORT_BIT) saves.
+struct ViewportState {
+    GLint x = 0, y = 0;
+    GLsizei width = 0, height = 0;  // the first MakeCurrent sets them to the size of the render target
+    GLdouble near_depth = 0, far_depth = 1;
+};
+
+struct ClearValues {
+    std::array<GLfloat, 4> color{};  // as specified; clamped where it is used, for a float target must not be
+    GLfloat index = 0;
+    GLdouble depth = 1;
+    GLint stencil = 0;  // as specified; the buffer's low bits are used
+    std::array<GLfloat, 4> accum{};
+};
+
+struct FramebufferState {
+    ViewportState viewport;
+    ClearValues clear;
+    GLenum draw_buffer = GL_FRONT;  // OSMesa's render target is single-buffered
+    GLenum read_buffer = GL_FRONT;
+};
+
+}  // namespace terrazzo::gl
