@@ -1,0 +1,30 @@
+// Internal formats of textures (GL 1.5 §3.8.1 tables 3.15, 3.16): from what the program asked for to what is
+// stored.
+//
+// Sizes follow OSMesa's choices, which programs can query and which decide how texels are quantised: RGB5
+// keeps 5-5-5, RGBA2 and RGBA4 keep 4 bits each, every 12-bit format keeps 16.
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <array>
+
+#include "pipeline/texture_image.h"
+
+namespace terrazzo::gl {
+
+struct TexelFormat {
+    GLenum base;  // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB or GL_RGBA
+    pipeline::BaseFormat base_format;
+    pipeline::TexelStorage storage;
+    // Bits kept of each component: R, G, B, A. Luminance and intensity are counted in R (and in G and B
+    // alike).
+    std::array<unsigned char, 4> bits;
+};
+
+// The format kept for `internal_format`; null when it is no internal format of textures. The client's format
+// and type choose the size where `internal_format` names none, as OSMesa has it.
+const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type);
+
+}  // namespace terrazzo::gl

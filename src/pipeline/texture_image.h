@@ -1,0 +1,90 @@
+// One image (one mip level) of a texture, in the form the sampler reads.
+//
+// Input: rows that src/gl has converted and quantised. Output: texels expanded to RGBA as sampling sees them
+// (GL 1.5 table 3.20: alpha [0,0,0,A], luminance [L,L,L,1], intensity [I,I,I,I], ...), row 0 first (t = 0).
+// Invariant: an image that a queued draw refers to never changes. Whoever writes to one asks `mutable_image`
+// for it, which clones an image that somebody else holds too; so the pixels are immutable as soon as they are
+// shared.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+
+namespace terrazzo::pipeline {
+
+enum class TexelStorage : uint8_t {
+    kRgba8,    // 4 bytes R, G, B, A in this order in memory: every internal format of at most 8 bits a
+               // component
+    kRgba32F,  // 4 floats R, G, B, A: deeper formats
+};
+
+// The channels that the texture environment may use (GL 1.5 table 3.15).
+enum class BaseFormat : uint8_t {
+    kAlpha,
+    kLuminance,
+    kLuminanceAlpha,
+    kIntensity,
+    kRgb,
+    kRgba,
+    kDepth,  // no command makes one yet
+};
+
+constexpr size_t bytes_per_texel(TexelStorage storage) {
+    return storage == TexelStorage::kRgba8 ? 4 : 16;
+}
+
+struct TextureImage {
+    // Vector loads of the sampler may start this many bytes before the first texel and end this many after
+    // the last.
+    static constexpr size_t kPaddingBytes = 64;
+
+    // An image whose texels are not yet set; null when memory is short.
+    static std::shared_ptr<TextureImage> create(int width, int height, int border_x, int border_y,
+                                                TexelStorage storage, BaseFormat base_format);
+
+    // A private copy of the same texels; null when memory is short.
+    std::shared_ptr<TextureImage> clone() const;
+
+    // The texel (x, y) with the border outside: x from -border_x to width + border_x - 1, y likewise. Texel
+    // (0, 0) and with it every row of a power-of-two image without border is aligned to 64 bytes as far as
+    // its width allows.
+    const uint8_t* rgba8(int x, int y) const { return m_texels.get() + 4 * index(x, y); }
+    uint8_t* rgba8(int x, int y) { return m_texels.get() + 4 * index(x, y); }
+    const float* rgba32f(int x, int y) const {
+        return reinterpret_cast<const float*>(m_texels.get()) + 4 * index(x, y);
+    }
+    float* rgba32f(int x, int y) { return reinterpret_cast<float*>(m_texels.get()) + 4 * index(x, y); }
+
+    int stored_width() const { return width + 2 * border_x; }
+    int stored_height() const { return height + 2 * border_y; }
+
+    int width = 0;  // texels of the image proper, without border
+    int height = 0;
+    int border_x = 0;  // 0 or 1 texel on either side; 1D images have none in y
+    int border_y = 0;
+    int pitch = 0;  // texels from one row to the next
+    TexelStorage storage = TexelStorage::kRgba8;
+    BaseFormat base_format = BaseFormat::kRgba;
+
+  private:
+    struct Free {
+        void operator()(uint8_t* texels) const { std::free(texels - kPaddingBytes); }
+    };
+
+    ptrdiff_t index(int x, int y) const {
+        return static_cast<ptrdiff_t>(y + border_y) * pitch + (x + border_x);
+    }
+    size_t size_in_bytes() const {
+        return static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()) * bytes_per_texel(storage);
+    }
+
+    std::unique_ptr<uint8_t, Free> m_texels;  // the first stored texel, 64-byte aligned
+};
+
+// The image to write to: `image` itself when nobody else holds it, else `image` is replaced by a copy. Null,
+// with `image` unchanged, when memory is short.
+TextureImage* mutable_image(std::shared_ptr<TextureImage>& image);
+
+}  // namespace terrazzo::pipeline
