@@ -1,9 +1,10 @@
 // The GL context: one plain struct per chapter of the specification, each defined in that chapter's header.
 //
 // Commands are free functions `gl::foo_bar(Context&, ...)`, one file per chapter, called by generated thunks
-// (tools/generate.py). A command checks its arguments, records an error with `record_error` and returns without
-// side effect when one is wrong; otherwise it announces the change with `begin_change` and stores the value in
-// GL's own terms (GLenum, GLfloat). Only validate.cpp translates these into the enum classes of src/pipeline.
+// (tools/generate.py). A command checks its arguments, records an error with `record_error` and returns
+// without side effect when one is wrong; otherwise it announces the change with `begin_change` and stores the
+// value in GL's own terms (GLenum, GLfloat). Only validate.cpp translates these into the enum classes of
+// src/pipeline.
 //
 // Threads: a context is current in at most one thread. Objects that contexts share live in ShareGroup.
 #pragma once
@@ -12,6 +13,7 @@
 
 #include "gl/arrays.h"
 #include "gl/attrib.h"
+#include "gl/config.h"
 #include "gl/error.h"
 #include "gl/fog.h"
 #include "gl/fragment_ops.h"
@@ -22,6 +24,7 @@
 #include "gl/matrix.h"
 #include "gl/pixels.h"
 #include "gl/rasterization.h"
+#include "gl/surface.h"
 #include "gl/texture.h"
 #include "gl/vertex.h"
 
@@ -44,6 +47,7 @@ struct ShareGroup;
 struct Context {
     Config config;  // what the front end asked for; constant
     std::shared_ptr<ShareGroup> shared;
+    Surface surface;
 
     ErrorState error;
     VertexState vertex;
@@ -63,8 +67,12 @@ struct Context {
     unsigned dirty = static_cast<unsigned>(Dirty::kAll);
 };
 
-// Called by a command before it changes state that queued vertices were specified under: hands those vertices to the
-// pipeline with the old state, then marks what the change makes stale.
+// Called by a command before it changes state that queued vertices were specified under: hands those vertices
+// to the pipeline with the old state, then marks what the change makes stale.
 void begin_change(Context& ctx, Dirty what);
+
+// A context with the default state of GL 1.5 chapter 6 that shares objects with `share_partner` unless it is
+// null.
+std::unique_ptr<Context> create_context(const Config& config, Context* share_partner);
 
 }  // namespace terrazzo::gl

@@ -14,8 +14,8 @@ struct ErrorState {
     const char* command = "";  // the GL command being executed, for the log; set by thunks in debug mode only
 };
 
-// Records `code` unless one is pending. `rule` says which rule was broken, in words for the debug log, such as
-// "width is negative".
+// Records `code` unless one is pending. `rule` says which rule was broken, in words for the debug log, such
+// as "width is negative".
 void record_error(Context& ctx, GLenum code, const char* rule);
 
 }  // namespace terrazzo::gl

@@ -24,7 +24,7 @@ struct MatrixStack {
     Matrix& top() { return entries.back(); }
     const Matrix& top() const { return entries.back(); }
 
-    std::vector<Matrix> entries{Matrix{}};
+    std::vector<Matrix> entries = std::vector<Matrix>(1);
     int max_depth;
 };
 

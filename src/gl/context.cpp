@@ -1,0 +1,19 @@
+// The life of a context, and what must happen before its state changes.
+#include "gl/context.h"
+
+#include "gl/share.h"
+
+namespace terrazzo::gl {
+
+std::unique_ptr<Context> create_context(const Config& config, Context* share_partner) {
+    auto ctx = std::make_unique<Context>();
+    ctx->config = config;
+    ctx->shared = share_partner ? share_partner->shared : std::make_shared<ShareGroup>();
+    return ctx;
+}
+
+void begin_change(Context& ctx, Dirty what) {
+    ctx.dirty |= static_cast<unsigned>(what);
+}
+
+}  // namespace terrazzo::gl
