@@ -1,0 +1,15 @@
+// The program that draws in a child process. It links nothing but libc and libstdc++, so that the time to the first
+// frame and the peak memory that it reports are the GL library's.
+#include <cstdio>
+
+#include "draw_task.h"
+#include "kit/child.h"
+
+int main(int argc, char** argv) {
+    int exit_code = 0;
+    if (terrazzo::kit::serve_child(argc, argv, {{"draw", terrazzo::draw_task}, {"info", terrazzo::info_task}},
+                                   &exit_code))
+        return exit_code;
+    std::fputs("terrazzo-draw is started by the terrazzo command.\n", stderr);
+    return 2;
+}
