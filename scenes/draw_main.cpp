@@ -1,5 +1,5 @@
-// The program that draws in a child process. It links nothing but libc and libstdc++, so that the time to the first
-// frame and the peak memory that it reports are the GL library's.
+// The program that draws in a child process. It links nothing but libc and libstdc++, so that the time to the
+// first frame and the peak memory that it reports are the GL library's.
 #include <cstdio>
 
 #include "draw_task.h"

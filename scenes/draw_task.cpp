@@ -1,5 +1,5 @@
-// Stage: child side of the bench and demo commands. Timing covers draw and finish of a frame, nothing else; memory is
-// read before any picture is copied out.
+// Stage: child side of the bench and demo commands. Timing covers draw and finish of a frame, nothing else;
+// memory is read before any picture is copied out.
 #include "draw_task.h"
 
 #include <algorithm>

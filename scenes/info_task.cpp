@@ -44,7 +44,9 @@ constexpr Limit kLimits[] = {
     {"GL_ACCUM_RED_BITS", GL_ACCUM_RED_BITS, 1},
 };
 
-std::string text(const GLubyte* string) { return string ? reinterpret_cast<const char*>(string) : ""; }
+std::string text(const GLubyte* string) {
+    return string ? reinterpret_cast<const char*>(string) : "";
+}
 
 nlohmann::json limits(const kit::OffscreenContext& context) {
     nlohmann::json result = nlohmann::json::array();
@@ -52,7 +54,8 @@ nlohmann::json limits(const kit::OffscreenContext& context) {
         GLfloat values[4] = {};
         context.library().gl.GetFloatv(limit.parameter, values);
         if (!context.take_errors().empty()) continue;  // this library has no such limit
-        result.push_back({{"name", limit.name}, {"values", std::vector<float>(values, values + limit.count)}});
+        result.push_back(
+            {{"name", limit.name}, {"values", std::vector<float>(values, values + limit.count)}});
     }
     return result;
 }

@@ -1,6 +1,6 @@
 // Stage: test and measuring tools, work done in a child process.
-// The result comes back as CBOR through a memory file, the child's output through another: neither can fill up and
-// block as a pipe would. The parent waits on a pidfd, so a limit in time needs no signal handler.
+// The result comes back as CBOR through a memory file, the child's output through another: neither can fill
+// up and block as a pipe would. The parent waits on a pidfd, so a limit in time needs no signal handler.
 #include "child.h"
 
 #include <fcntl.h>
@@ -49,7 +49,7 @@ class MemoryFile {
 
     int descriptor() const { return m_descriptor; }
     std::vector<std::uint8_t> contents() const {
-        struct stat status{};
+        struct stat status {};
         if (fstat(m_descriptor, &status) != 0 || status.st_size <= 0) return {};
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
         std::size_t done = 0;

@@ -1,7 +1,7 @@
 // Stage: test and measuring tools, work done in a child process.
-// Input: an executable of ours, the name of a task it serves, JSON arguments, environment. Output: the task's JSON
-// result (pictures as its binary values), or how the child failed.
-// Invariant: a child that crashes, exits early or outlives its time is a report, never a hang or an exception.
+// Input: an executable of ours, the name of a task it serves, JSON arguments, environment. Output: the task's
+// JSON result (pictures as its binary values), or how the child failed. Invariant: a child that crashes,
+// exits early or outlives its time is a report, never a hang or an exception.
 #pragma once
 
 #include <chrono>
@@ -24,9 +24,9 @@ struct ChildRequest {
 struct ChildReport {
     enum class Status { kFinished, kRefused, kCrashed, kTimedOut };
     Status status = Status::kRefused;
-    int code = 0;          // exit status or signal number
-    std::string message;   // what went wrong, for people
-    std::string output;    // what the child printed
+    int code = 0;           // exit status or signal number
+    std::string message;    // what went wrong, for people
+    std::string output;     // what the child printed
     nlohmann::json result;  // only when finished
 
     bool finished() const { return status == Status::kFinished; }
@@ -41,12 +41,14 @@ struct NamedTask {
     const char* name;
     ChildTask task;
 };
-// True when the command line asks for a task: then the task has run and *exit_code is to be returned from main.
+// True when the command line asks for a task: then the task has run and *exit_code is to be returned from
+// main.
 bool serve_child(int argc, char** argv, const std::vector<NamedTask>& tasks, int* exit_code);
 
 // Seconds since run_in_child() started this process; child side only.
 double seconds_since_start();
-// The highest resident set of this process so far, in KiB. Not from rusage: that counts the parent's pages at fork.
+// The highest resident set of this process so far, in KiB. Not from rusage: that counts the parent's pages at
+// fork.
 long peak_resident_kib();
 
 }  // namespace terrazzo::kit

@@ -1,7 +1,7 @@
 // Stage: client side, what a scene is to the tools that draw, compare and time it.
 // Input: a GL function table with a current context. Output: one frame per draw() call.
-// Invariant: the same frame number gives the same picture; draw() leaves the matrices and enables it sets as they are
-// when it starts again.
+// Invariant: the same frame number gives the same picture; draw() leaves the matrices and enables it sets as
+// they are when it starts again.
 #pragma once
 
 #include "gl_table.h"

@@ -46,6 +46,8 @@ Library::Library(const std::string& path) : m_handle(open_library(path)) {
     }
 }
 
-bool Library::exports(const char* symbol) const { return dlsym(m_handle, symbol) != nullptr; }
+bool Library::exports(const char* symbol) const {
+    return dlsym(m_handle, symbol) != nullptr;
+}
 
 }  // namespace terrazzo::kit

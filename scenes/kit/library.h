@@ -1,7 +1,7 @@
 // Stage: client side, loading a GL library.
-// Input: the path of a libOSMesa. Output: the GL 1.0-1.5 function table and the OSMesa functions of that library.
-// Invariant: one process loads one library; two of them share symbols (libglapi, LLVM) and global state, which is
-// why comparisons run each library in its own child (child.h).
+// Input: the path of a libOSMesa. Output: the GL 1.0-1.5 function table and the OSMesa functions of that
+// library. Invariant: one process loads one library; two of them share symbols (libglapi, LLVM) and global
+// state, which is why comparisons run each library in its own child (child.h).
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
-// Stage: client side, an OSMesa context with its own colour buffer. Input: format. Output: pixels, depth, stencil.
-// Read-back sets all pixel state to its defaults, so that a scene's own state cannot change what is compared.
+// Stage: client side, an OSMesa context with its own colour buffer. Input: format. Output: pixels, depth,
+// stencil. Read-back sets all pixel state to its defaults, so that a scene's own state cannot change what is
+// compared.
 #include "offscreen.h"
 
 #include <stdexcept>
@@ -23,7 +24,8 @@ OffscreenContext::OffscreenContext(const Library& library, const ContextOptions&
     m_context = library.osmesa.CreateContextExt(options.format, options.depth_bits, options.stencil_bits,
                                                 options.accum_bits, options.share);
     if (!m_context) throw std::runtime_error("OSMesaCreateContextExt refused the format");
-    if (!library.osmesa.MakeCurrent(m_context, m_buffer.data(), options.type, options.width, options.height)) {
+    if (!library.osmesa.MakeCurrent(m_context, m_buffer.data(), options.type, options.width,
+                                    options.height)) {
         library.osmesa.DestroyContext(m_context);
         throw std::runtime_error("OSMesaMakeCurrent refused the buffer");
     }
@@ -31,12 +33,14 @@ OffscreenContext::OffscreenContext(const Library& library, const ContextOptions&
     if (options.row_length) library.osmesa.PixelStore(OSMESA_ROW_LENGTH, options.row_length);
 }
 
-OffscreenContext::~OffscreenContext() { m_library.osmesa.DestroyContext(m_context); }
+OffscreenContext::~OffscreenContext() {
+    m_library.osmesa.DestroyContext(m_context);
+}
 
 void OffscreenContext::reset_read_state() const {
     const Gl& gl = m_library.gl;
-    for (GLenum parameter : {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
-                             GL_PACK_SKIP_PIXELS})
+    for (GLenum parameter :
+         {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS})
         gl.PixelStorei(parameter, 0);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl.PixelTransferf(GL_DEPTH_SCALE, 1);
@@ -83,14 +87,22 @@ std::vector<GLenum> OffscreenContext::take_errors() const {
 
 std::string error_name(GLenum error) {
     switch (error) {
-        case GL_NO_ERROR: return "GL_NO_ERROR";
-        case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
-        case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
-        case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
-        case GL_STACK_OVERFLOW: return "GL_STACK_OVERFLOW";
-        case GL_STACK_UNDERFLOW: return "GL_STACK_UNDERFLOW";
-        case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
-        default: return "error " + std::to_string(error);
+        case GL_NO_ERROR:
+            return "GL_NO_ERROR";
+        case GL_INVALID_ENUM:
+            return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE:
+            return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION:
+            return "GL_INVALID_OPERATION";
+        case GL_STACK_OVERFLOW:
+            return "GL_STACK_OVERFLOW";
+        case GL_STACK_UNDERFLOW:
+            return "GL_STACK_UNDERFLOW";
+        case GL_OUT_OF_MEMORY:
+            return "GL_OUT_OF_MEMORY";
+        default:
+            return "error " + std::to_string(error);
     }
 }
 

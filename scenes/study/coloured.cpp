@@ -42,12 +42,14 @@ void draw_cube(const kit::Gl& gl) {
     const Mesh cube = make_cube();
     float colours[24][3];
     for (std::size_t vertex = 0; vertex < 24; ++vertex)
-        for (int channel = 0; channel < 3; ++channel) colours[vertex][channel] = kColours[vertex / 4][channel];
+        for (int channel = 0; channel < 3; ++channel)
+            colours[vertex][channel] = kColours[vertex / 4][channel];
     gl.EnableClientState(GL_COLOR_ARRAY);
     gl.ColorPointer(3, GL_FLOAT, 0, colours);
     gl.EnableClientState(GL_VERTEX_ARRAY);
     gl.VertexPointer(3, GL_FLOAT, sizeof(Vertex), cube.vertices[0].position);
-    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(cube.indices.size()), GL_UNSIGNED_INT, cube.indices.data());
+    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(cube.indices.size()), GL_UNSIGNED_INT,
+                    cube.indices.data());
     gl.DisableClientState(GL_VERTEX_ARRAY);
     gl.DisableClientState(GL_COLOR_ARRAY);
 }
@@ -94,7 +96,8 @@ RandomTriangles::RandomTriangles() {
                            (corner[2][0] - corner[0][0]) * (corner[1][1] - corner[0][1]);
         for (const int index : {0, area < 0 ? 2 : 1, area < 0 ? 1 : 2}) {
             m_positions.insert(m_positions.end(), {corner[index][0], corner[index][1]});
-            for (int channel = 0; channel < 3; ++channel) m_colours.push_back(uniform(counter) < 0 ? 0.0F : 1.0F);
+            for (int channel = 0; channel < 3; ++channel)
+                m_colours.push_back(uniform(counter) < 0 ? 0.0F : 1.0F);
         }
     }
 }

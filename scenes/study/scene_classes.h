@@ -1,5 +1,6 @@
 // The study's scenes as classes; set-ups follow [Frolov 2020 §4] and its program.
-// Shared rule: LEQUAL depth test (none in T2), perspective-correct attributes, bilinear textures without mipmaps.
+// Shared rule: LEQUAL depth test (none in T2), perspective-correct attributes, bilinear textures without
+// mipmaps.
 #pragma once
 
 #include "kit/drawing.h"

@@ -1,4 +1,5 @@
-// Meshes of the study's scenes: indexed triangles with positions and texture coordinates, counter-clockwise outside.
+// Meshes of the study's scenes: indexed triangles with positions and texture coordinates, counter-clockwise
+// outside.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
-// The Utah teapot: Newell's 32 bicubic Bezier patches (with the bottom that was added later), tessellated to 8x8
-// quads each = 4096 triangles. Most of the pot is a surface of revolution, so its data are written as profiles; the
-// handle and the spout are tubes, symmetric in depth. Output: y up, x along the spout, texture 0..1 over each patch.
+// The Utah teapot: Newell's 32 bicubic Bezier patches (with the bottom that was added later), tessellated to
+// 8x8 quads each = 4096 triangles. Most of the pot is a surface of revolution, so its data are written as
+// profiles; the handle and the spout are tubes, symmetric in depth. Output: y up, x along the spout, texture
+// 0..1 over each patch.
 #include <array>
 
 #include "shapes.h"

@@ -1,4 +1,5 @@
-// Textures of the study's scenes. Integer arithmetic only: a few milliseconds for the largest, the same everywhere.
+// Textures of the study's scenes. Integer arithmetic only: a few milliseconds for the largest, the same
+// everywhere.
 #include "textures.h"
 
 #include <algorithm>
@@ -64,7 +65,8 @@ Image make_tiles(int size, int tiles, std::uint32_t seed) {
     return fill(size, [=](int x, int y) {
         const int column = x / edge, row = y / edge;
         const bool joint = x % edge < edge / 24 + 1 || y % edge < edge / 24 + 1;
-        const std::uint32_t dice = hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed);
+        const std::uint32_t dice =
+            hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed);
         const Colour glaze = kGlazes[((column + row) & 1) + 2 * static_cast<int>(dice >> 31)];
         return scaled(joint ? kJoint : glaze, grain(x, y, 4, seed), 256);
     });
@@ -80,8 +82,10 @@ Image make_bricks(int size, std::uint32_t seed) {
         const int column = shifted / length % 4;
         const bool mortar = y % course < course / 8 + 1 || shifted % length < course / 8 + 1;
         const int fired =
-            200 + static_cast<int>(hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed) >> 25);
-        return scaled(scaled(mortar ? kMortar : kBrick, grain(x, y, 3, seed), 256), mortar ? 256 : fired, 256);
+            200 + static_cast<int>(
+                      hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed) >> 25);
+        return scaled(scaled(mortar ? kMortar : kBrick, grain(x, y, 3, seed), 256), mortar ? 256 : fired,
+                      256);
     });
 }
 

@@ -1,0 +1,21 @@
+// terrazzo: measures, inspects and shows GL libraries of the OSMesa kind.
+#include <fmt/core.h>
+
+#include "commands.h"
+
+int main(int argc, char** argv) {
+    CLI::App app{"Measures, inspects and shows software OpenGL libraries."};
+    app.require_subcommand(1);
+    terrazzo::add_bench_command(app);
+    terrazzo::add_info_command(app);
+    terrazzo::add_draw_command(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& stop) {
+        return app.exit(stop);
+    } catch (const std::exception& failure) {
+        fmt::print(stderr, "terrazzo: {}\n", failure.what());
+        return 1;
+    }
+    return 0;
+}
