@@ -1,6 +1,7 @@
 // What kind of matrix a stack entry is, and the inverse that goes with the kind (doc/reference.md §1).
 // Input: the value and traits of a StackMatrix; output: its traits, shape and inverse.
-// Invariant: tests, tolerances, order of terms and pivoting are the reference's, since each decides last bits.
+// Invariant: tests, tolerances, order of terms and pivoting are the reference's, since each decides last
+// bits.
 
 #include "gl/matrix_inverse.h"
 
@@ -15,11 +16,19 @@ constexpr std::uint8_t kTraitsAngle = kRotation | kTranslation | kUniformScale;
 constexpr std::uint8_t kTraits3d = kTraitsAngle | kGeneralScale | kGeneral3d;
 constexpr float kTolerance = 1e-6f * 1e-6f;
 
-bool only(std::uint8_t traits, std::uint8_t allowed) { return (traits & ~allowed) == 0; }
+bool only(std::uint8_t traits, std::uint8_t allowed) {
+    return (traits & ~allowed) == 0;
+}
 
-float squared(float x) { return x * x; }
-float dot2(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1]; }
-float dot3(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+float squared(float x) {
+    return x * x;
+}
+float dot2(const float* a, const float* b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+float dot3(const float* a, const float* b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 bool all_zero(const float* m, std::initializer_list<int> elements) {
     for (int i : elements)
@@ -27,7 +36,9 @@ bool all_zero(const float* m, std::initializer_list<int> elements) {
     return true;
 }
 
-bool affine(const float* m) { return all_zero(m, {3, 7, 11}) && m[15] == 1.0f; }
+bool affine(const float* m) {
+    return all_zero(m, {3, 7, 11}) && m[15] == 1.0f;
+}
 
 void classify_2d(StackMatrix& stack) {
     const float* m = stack.value.m;
@@ -146,7 +157,8 @@ void eliminate(float* rows[4], int pivot) {
     for (int row = pivot + 1; row < 4; ++row) {
         const float factor = rows[row][pivot] / p[pivot];
         for (int column = pivot + 1; column < 8; ++column) {
-            // A zero of the appended identity is skipped in the first two steps: 0 * infinity must not spread.
+            // A zero of the appended identity is skipped in the first two steps: 0 * infinity must not
+            // spread.
             if (column >= 4 && pivot < 2 && p[column] == 0.0f) continue;
             rows[row][column] -= factor * p[column];
         }
@@ -163,7 +175,8 @@ bool invert_general(StackMatrix& stack) {
     }
     for (int pivot = 0; pivot < 4; ++pivot) {
         for (int row = 3; row > pivot; --row)
-            if (std::fabs(rows[row][pivot]) > std::fabs(rows[row - 1][pivot])) std::swap(rows[row], rows[row - 1]);
+            if (std::fabs(rows[row][pivot]) > std::fabs(rows[row - 1][pivot]))
+                std::swap(rows[row], rows[row - 1]);
         if (rows[pivot][pivot] == 0.0f) return false;
         if (pivot < 3) eliminate(rows, pivot);
     }
@@ -171,7 +184,8 @@ bool invert_general(StackMatrix& stack) {
     for (int column = 4; column < 8; ++column) rows[3][column] *= last;
     for (int row = 2; row >= 0; --row) {
         for (int below = 3; below > row + 1; --below)
-            for (int column = 4; column < 8; ++column) rows[row][column] -= rows[below][column] * rows[row][below];
+            for (int column = 4; column < 8; ++column)
+                rows[row][column] -= rows[below][column] * rows[row][below];
         const float scale = 1.0f / rows[row][row];
         for (int column = 4; column < 8; ++column)
             rows[row][column] = scale * (rows[row][column] - rows[row + 1][column] * rows[row][row + 1]);
@@ -183,13 +197,19 @@ bool invert_general(StackMatrix& stack) {
 
 bool invert_by_shape(StackMatrix& stack) {
     switch (stack.shape) {
-        case MatrixShape::kIdentity: stack.inverse = identity(); return true;
-        case MatrixShape::k3dNoRotation: return invert_no_rotation(stack, 3);
-        case MatrixShape::k2dNoRotation: return invert_no_rotation(stack, 2);
+        case MatrixShape::kIdentity:
+            stack.inverse = identity();
+            return true;
+        case MatrixShape::k3dNoRotation:
+            return invert_no_rotation(stack, 3);
+        case MatrixShape::k2dNoRotation:
+            return invert_no_rotation(stack, 2);
         case MatrixShape::k2d:
-        case MatrixShape::k3d: return invert_3d(stack);
+        case MatrixShape::k3d:
+            return invert_3d(stack);
         case MatrixShape::kGeneral:
-        case MatrixShape::kPerspective: break;
+        case MatrixShape::kPerspective:
+            break;
     }
     return invert_general(stack);
 }
@@ -227,7 +247,8 @@ void classify_traits(StackMatrix& stack) {
     if (stack.traits == 0) {
         stack.shape = MatrixShape::kIdentity;
     } else if (only(stack.traits, kTranslation | kUniformScale | kGeneralScale)) {
-        stack.shape = m[10] == 1.0f && m[14] == 0.0f ? MatrixShape::k2dNoRotation : MatrixShape::k3dNoRotation;
+        stack.shape =
+            m[10] == 1.0f && m[14] == 0.0f ? MatrixShape::k2dNoRotation : MatrixShape::k3dNoRotation;
     } else if (only(stack.traits, kTraits3d)) {
         const bool flat = all_zero(m, {2, 6, 8, 9, 14}) && m[10] == 1.0f;
         stack.shape = flat ? MatrixShape::k2d : MatrixShape::k3d;

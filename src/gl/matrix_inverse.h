@@ -1,5 +1,5 @@
-// Analysis of a stack entry and its inverse: the half of matrix_math that normals, light positions and user clip
-// planes depend on. Used by settle() only.
+// Analysis of a stack entry and its inverse: the half of matrix_math that normals, light positions and user
+// clip planes depend on. Used by settle() only.
 #pragma once
 
 #include "gl/matrix_math.h"

@@ -1,6 +1,6 @@
 // Products and constructors of matrices, and how a stack entry's traits follow from its operations.
-// Invariant: expressions are evaluated exactly as written (the build forbids contraction); the order of the terms
-// is the reference's and must not be "simplified". The inverse is in matrix_inverse.cpp.
+// Invariant: expressions are evaluated exactly as written (the build forbids contraction); the order of the
+// terms is the reference's and must not be "simplified". The inverse is in matrix_inverse.cpp.
 
 #include "gl/matrix_math.h"
 
@@ -17,9 +17,13 @@ namespace {
 
 constexpr std::uint8_t kTraits3d = kRotation | kTranslation | kUniformScale | kGeneralScale | kGeneral3d;
 
-bool only(std::uint8_t traits, std::uint8_t allowed) { return (traits & ~allowed) == 0; }
+bool only(std::uint8_t traits, std::uint8_t allowed) {
+    return (traits & ~allowed) == 0;
+}
 
-bool same_bits(const Matrix4& a, const Matrix4& b) { return std::memcmp(a.m, b.m, sizeof a.m) == 0; }
+bool same_bits(const Matrix4& a, const Matrix4& b) {
+    return std::memcmp(a.m, b.m, sizeof a.m) == 0;
+}
 
 void changed(StackMatrix& stack, std::uint8_t traits) {
     stack.traits |= traits;
@@ -33,7 +37,8 @@ void multiply_known(StackMatrix& stack, const Matrix4& a, std::uint8_t traits) {
     stack.value = only(stack.traits, kTraits3d) ? multiply_affine(stack.value, a) : multiply(stack.value, a);
 }
 
-// Rotation by an axis of the coordinate system: u turns towards v. The axis' length does not matter, its sign does.
+// Rotation by an axis of the coordinate system: u turns towards v. The axis' length does not matter, its sign
+// does.
 Matrix4 axis_rotation(int u, int v, float axis, float sine, float cosine) {
     Matrix4 r = identity();
     r.at(u, u) = cosine;
@@ -158,7 +163,8 @@ void multiply(StackMatrix& stack, const Matrix4& a) {
 
 void translate(StackMatrix& stack, float x, float y, float z) {
     float* m = stack.value.m;
-    for (int row = 0; row < 4; ++row) m[12 + row] = m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row];
+    for (int row = 0; row < 4; ++row)
+        m[12 + row] = m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row];
     changed(stack, kTranslation);
 }
 
@@ -177,11 +183,13 @@ void rotate(StackMatrix& stack, float degrees, float x, float y, float z) {
     if (const auto turn = rotation(degrees, x, y, z)) multiply_known(stack, *turn, kRotation);
 }
 
-void ortho(StackMatrix& stack, double left, double right, double bottom, double top, double near, double far) {
+void ortho(StackMatrix& stack, double left, double right, double bottom, double top, double near,
+           double far) {
     multiply_known(stack, ortho(left, right, bottom, top, near, far), kGeneralScale | kTranslation);
 }
 
-void frustum(StackMatrix& stack, double left, double right, double bottom, double top, double near, double far) {
+void frustum(StackMatrix& stack, double left, double right, double bottom, double top, double near,
+             double far) {
     multiply_known(stack, frustum(left, right, bottom, top, near, far), kPerspective);
 }
 
@@ -204,7 +212,9 @@ Matrix4 model_view_projection(const StackMatrix& projection, const StackMatrix& 
     return multiply(projection.value, modelview.value);
 }
 
-bool preserves_length(const StackMatrix& stack) { return only(stack.traits, kRotation | kTranslation); }
+bool preserves_length(const StackMatrix& stack) {
+    return only(stack.traits, kRotation | kTranslation);
+}
 
 void transform_row(float result[4], const float v[4], const Matrix4& a) {
     for (int column = 0; column < 4; ++column)

@@ -1,9 +1,9 @@
 // Matrix arithmetic of the fixed-function stacks (GL 1.5 §2.11.2), bit for bit that of the reference
 // (doc/reference.md §1): single precision, column-major, every operation rounded once, nothing fused.
 //
-// Matrix4 is the bare value. StackMatrix is an entry of a matrix stack: it also knows how it was made, because the
-// reference picks its product and its inverse by that history, and with them the last bits of normals and of
-// light positions. Errors (GL_INVALID_VALUE of glOrtho and the like) are the caller's.
+// Matrix4 is the bare value. StackMatrix is an entry of a matrix stack: it also knows how it was made,
+// because the reference picks its product and its inverse by that history, and with them the last bits of
+// normals and of light positions. Errors (GL_INVALID_VALUE of glOrtho and the like) are the caller's.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,8 @@ Matrix4 transpose(const Matrix4& a);
 /// a * b, all 64 products.
 Matrix4 multiply(const Matrix4& a, const Matrix4& b);
 
-/// a * b where both have the last row (0 0 0 1): the products with it are left out, which shows in signs of zero.
+/// a * b where both have the last row (0 0 0 1): the products with it are left out, which shows in signs of
+/// zero.
 Matrix4 multiply_affine(const Matrix4& a, const Matrix4& b);
 
 /// The matrix of glRotate; nothing where glRotate leaves the stack alone (no angle, or an axis too short).
@@ -47,7 +48,15 @@ enum MatrixTraits : std::uint8_t {
 };
 
 /// Selects the algorithm of the inverse.
-enum class MatrixShape : std::uint8_t { kGeneral, kIdentity, k3dNoRotation, kPerspective, k2d, k2dNoRotation, k3d };
+enum class MatrixShape : std::uint8_t {
+    kGeneral,
+    kIdentity,
+    k3dNoRotation,
+    kPerspective,
+    k2d,
+    k2dNoRotation,
+    k3d
+};
 
 struct StackMatrix {
     Matrix4 value = identity();
@@ -69,10 +78,11 @@ void translate(StackMatrix& stack, float x, float y, float z);
 void scale(StackMatrix& stack, float x, float y, float z);
 void rotate(StackMatrix& stack, float degrees, float x, float y, float z);
 void ortho(StackMatrix& stack, double left, double right, double bottom, double top, double near, double far);
-void frustum(StackMatrix& stack, double left, double right, double bottom, double top, double near, double far);
+void frustum(StackMatrix& stack, double left, double right, double bottom, double top, double near,
+             double far);
 
-/// Brings shape and inverse up to date. Due before glPushMatrix copies the entry, when a draw validates modelview, projection
-/// and texture matrices, and before anything reads `inverse` or `shape`.
+/// Brings shape and inverse up to date. Due before glPushMatrix copies the entry, when a draw validates
+/// modelview, projection and texture matrices, and before anything reads `inverse` or `shape`.
 void settle(StackMatrix& stack);
 
 /// projection * modelview as the vertex stage gets it.

@@ -1,7 +1,7 @@
-// Sine and cosine in double precision, rounded once to float: the method and the constants of Arm's optimized routines, which
-// glibc took over (math/sincosf.h there), with the fused operations of glibc's FMA variant.
-// A correctly rounded function would not do: the polynomials are good to 0.56 units in the last place, so their rare
-// wrong roundings are part of the result. std::fma is exact on every machine, in hardware or not.
+// Sine and cosine in double precision, rounded once to float: the method and the constants of Arm's optimized
+// routines, which glibc took over (math/sincosf.h there), with the fused operations of glibc's FMA variant.
+// A correctly rounded function would not do: the polynomials are good to 0.56 units in the last place, so
+// their rare wrong roundings are part of the result. std::fma is exact on every machine, in hardware or not.
 
 #include "gl/sine.h"
 
@@ -73,7 +73,9 @@ float quadrant_sine(const Reduced& r) {
     return static_cast<float>(r.quadrant & 2 ? -value : value);
 }
 
-bool tiny(float radians) { return std::fabs(radians) < 0x1p-12f; }
+bool tiny(float radians) {
+    return std::fabs(radians) < 0x1p-12f;
+}
 
 }  // namespace
 
