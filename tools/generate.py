@@ -2,15 +2,16 @@
 """Writes Terrazzo's GL entry points into a build folder.
 
 Input: the Khronos registry (gl.xml), the policy (tools/policy.toml) and the names to export
-(tools/osmesa-exports.txt). Output: commands.h, dispatch.h, tables.cpp, entries.cpp, osmesa.map.
+(tools/osmesa-exports.txt). Output: the headers and sources that src/gl/generated/meson.build lists.
 Every output is a function of these inputs alone.
 """
 
 import argparse
 import pathlib
+import sys
 
-from generator import emit
-from generator.policy import Policy
+from generator import dispatch, lists
+from generator.policy import Policy, PolicyError
 from generator.registry import Registry
 
 
@@ -23,14 +24,11 @@ def main():
     options = parser.parse_args()
 
     exports = pathlib.Path(options.exports).read_text().split()
-    policy = Policy(options.policy, Registry(options.registry), exports)
-    outputs = {
-        "commands.h": emit.commands_header(policy),
-        "dispatch.h": emit.dispatch_header(policy),
-        "tables.cpp": emit.tables_source(policy),
-        "entries.cpp": emit.entries_source(policy),
-        "osmesa.map": emit.version_script(exports),
-    }
+    try:
+        policy = Policy(options.policy, Registry(options.registry), exports)
+        outputs = dispatch.outputs(policy) | lists.outputs(policy)
+    except PolicyError as error:
+        sys.exit(f"{options.policy}: {error}")
     options.out.mkdir(parents=True, exist_ok=True)
     for name, text in outputs.items():
         (options.out / name).write_text(text)

@@ -15,6 +15,9 @@
 
 namespace terrazzo::gl {
 
+template <typename Result, typename... Arguments>
+using Function = Result (*)(Context*, Arguments...);
+
 template <typename Body>
 auto guarded(Context& ctx, Body body) noexcept -> decltype(body()) {
     try {
@@ -32,11 +35,10 @@ struct Name {
     constexpr Name(const char (&name)[kSize]) { std::copy_n(name, kSize, text); }
 };
 
-// Both convert to whatever function type the dispatch table's member has.
-struct IllegalInsideBeginEnd {
-    template <typename Result, typename... Arguments>
-    using Function = Result (*)(Context*, Arguments...);
+// The following convert to, or are, functions of whatever type the dispatch table's member has.
 
+// A command that is not allowed between Begin and End (GL 1.5 §2.6.3).
+struct IllegalInsideBeginEnd {
     template <typename Result, typename... Arguments>
     static Result call(Context* ctx, Arguments...) noexcept {
         record_error(*ctx, GL_INVALID_OPERATION, "not allowed between glBegin and glEnd");
@@ -49,11 +51,21 @@ struct IllegalInsideBeginEnd {
 };
 inline constexpr IllegalInsideBeginEnd illegal_inside_begin_end;
 
+// A command without effect where it is called, such as Vertex outside Begin and End.
+struct Ignored {
+    template <typename... Arguments>
+    static void call(Context*, Arguments...) noexcept {}
+
+    template <typename... Arguments>
+    constexpr operator Function<void, Arguments...>() const {
+        return &call<Arguments...>;
+    }
+};
+inline constexpr Ignored ignored;
+
+// Any command while no context is current.
 template <Name kName>
 struct NoContext {
-    template <typename Result, typename... Arguments>
-    using Function = Result (*)(Context*, Arguments...);
-
     template <typename Result, typename... Arguments>
     static Result call(Context*, Arguments...) noexcept {
         debug_log(kName.text, "no context is current");
@@ -66,5 +78,29 @@ struct NoContext {
 };
 template <Name kName>
 inline constexpr NoContext<kName> no_context;
+
+// A command that is not recorded while a list is compiled.
+template <auto kMember>
+struct ExecutedAtOnce;
+
+template <typename Result, typename... Arguments, Function<Result, Arguments...> Dispatch::*kMember>
+struct ExecutedAtOnce<kMember> {
+    static Result call(Context* ctx, Arguments... arguments) noexcept {
+        return (ctx->dispatch.execute->*kMember)(ctx, arguments...);
+    }
+};
+
+// Any command in debug mode: tells the error state its name, then takes the ordinary way.
+template <auto kMember, Name kName>
+struct Named;
+
+template <typename Result, typename... Arguments, Function<Result, Arguments...> Dispatch::*kMember,
+          Name kName>
+struct Named<kMember, kName> {
+    static Result call(Context* ctx, Arguments... arguments) noexcept {
+        ctx->error.command = kName.text;
+        return (ctx->dispatch.table->*kMember)(ctx, arguments...);
+    }
+};
 
 }  // namespace terrazzo::gl

@@ -14,6 +14,7 @@
 #include "gl/arrays.h"
 #include "gl/attrib.h"
 #include "gl/config.h"
+#include "gl/current.h"
 #include "gl/error.h"
 #include "gl/fog.h"
 #include "gl/fragment_ops.h"
@@ -49,6 +50,7 @@ struct Context {
     std::shared_ptr<ShareGroup> shared;
     Surface surface;
 
+    DispatchState dispatch;
     ErrorState error;
     VertexState vertex;
     ArrayState arrays;

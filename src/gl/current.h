@@ -22,11 +22,25 @@ extern constinit thread_local CurrentContext current
 
 extern const Dispatch kNormalTable;
 extern const Dispatch kInsideBeginEndTable;
-extern const Dispatch kCompilingTable;
+extern const Dispatch kCompilingTable;  // listable commands are recorded, others go to DispatchState::execute
 extern const Dispatch kNoContextTable;
+extern const Dispatch kDebugTable;  // notes the command's name and goes on to DispatchState::table
+
+// The part of a context that says which tables its calls go through.
+struct DispatchState {
+    const Dispatch* execute = &kNormalTable;  // kNormalTable or kInsideBeginEndTable
+    const Dispatch* table =
+        &kNormalTable;  // kCompilingTable while a list is compiled, else equal to `execute`
+};
 
 // Makes `ctx` the calling thread's context; null releases. The front end has made sure that no other thread
 // uses it.
 void make_current(Context* ctx);
+
+// Called by Begin and End.
+void set_inside_begin_end(Context& ctx, bool inside);
+
+// Called by NewList and EndList.
+void set_compiling(Context& ctx, bool compiling);
 
 }  // namespace terrazzo::gl

@@ -39,6 +39,7 @@ void record_error(Context& ctx, GLenum code, const char* rule) {
         std::snprintf(message, sizeof message, "%s: %s", error_name(code), rule);
         debug_log(ctx.error.command, message);
     }
+    ++ctx.error.count;
     if (ctx.error.code == GL_NO_ERROR) ctx.error.code = code;
 }
 

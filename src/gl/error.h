@@ -11,7 +11,8 @@ struct Context;
 
 struct ErrorState {
     GLenum code = GL_NO_ERROR;
-    const char* command = "";  // the GL command being executed, for the log; set by thunks in debug mode only
+    unsigned count = 0;        // how many were recorded, so that a caller can tell whether a command failed
+    const char* command = "";  // the GL command being executed, for the log; set in debug mode only
 };
 
 // Records `code` unless one is pending. `rule` says which rule was broken, in words for the debug log, such

@@ -4,12 +4,22 @@
 // are shared_ptr, so one that is deleted or replaced stays alive for whoever is using it.
 #pragma once
 
+#include <GL/gl.h>
+
+#include <map>
+#include <memory>
 #include <mutex>
+
+#include "gl/name_ranges.h"
 
 namespace terrazzo::gl {
 
+class DisplayList;
+
 struct ShareGroup {
     std::mutex mutex;
+    NameRanges list_names;  // in use: made by NewList or set aside by GenLists
+    std::map<GLuint, std::shared_ptr<const DisplayList>> lists;  // those that are not empty
 };
 
 }  // namespace terrazzo::gl

@@ -1,48 +1,113 @@
-"""Reads tools/policy.toml and answers, for every exported name, how it is carried out."""
+"""Reads tools/policy.toml and answers, for every exported name, how it is carried out.
 
-import fnmatch
+A command is either core (written by hand in src/gl) or a form: the same command with other argument types, made from
+a core one. A command without either is not implemented.
+"""
+
+import re
 import tomllib
+from dataclasses import dataclass
 
 
 class PolicyError(Exception):
     """The policy contradicts itself or the registry."""
 
 
+@dataclass
+class Member:
+    """An implemented command: a member of the dispatch table."""
+
+    command: object
+    core: object  # the handwritten command behind it; itself for a core command
+    kind: str  # "core" or the name of a section of [forms]
+    options: dict  # the policy's line
+
+
 class Policy:
     def __init__(self, path, registry, exports):
         with open(path, "rb") as file:
-            self.data = tomllib.load(file)
+            data = tomllib.load(file)
         self.registry = registry
         self.exports = exports
-        self.core = [name for chapter in self.data["core"].values() for name in chapter]
+        self.rules = data["rules"]
+        self.parameters = data["parameters"]
+        self.aliases = data["aliases"]
+        self.core = {name: options for chapter in data["core"].values() for name, options in chapter.items()}
+        self.forms = data["forms"]
         for name in self.core:
             if name not in registry.commands:
                 raise PolicyError(f"{name} is not a command of gl.xml")
+        self.members = sorted(self.core_members() + self.form_members(), key=lambda m: m.command.name)
+        self.names = {m.command.name for m in self.members}
 
     def matches(self, rule, name):
         """Whether `name` is in the group of [rules] called `rule`."""
-        return any(fnmatch.fnmatchcase(name, pattern) for pattern in self.data["rules"][rule])
+        return any(re.fullmatch(pattern, name) for pattern in self.rules[rule])
 
-    def implemented(self):
-        """Dispatch members, in name order: every command that has code behind it."""
-        return [self.registry.commands[name] for name in sorted(self.core)]
+    def core_members(self):
+        return [Member(self.registry.commands[n], self.registry.commands[n], "core", o) for n, o in self.core.items()]
 
-    def entry_targets(self):
-        """Exported name -> the dispatch member behind it, or None when it is not implemented."""
-        members = {c.name for c in self.implemented()}
-        targets = {}
-        for name in self.exports:
-            if name.startswith("gl"):
-                alias = self.registry.commands[name].alias
-                targets[name] = name if name in members else alias if alias in members else None
-        return targets
+    def form_members(self):
+        members = []
+        for kind, lines in self.forms.items():
+            for core_name, options in lines.items():
+                names = self.form_names(core_name, options["from"])
+                if core_name in self.core:
+                    core = self.registry.commands[core_name]
+                    members += [Member(self.registry.commands[n], core, kind, options) for n in names]
+        return members
+
+    def form_names(self, core_name, pattern):
+        names = [n for n in self.exports if re.fullmatch(pattern, n) and n != core_name]
+        if not names:
+            raise PolicyError(f"no exported command matches {pattern}, the forms of {core_name}")
+        return names
+
+    def inside_begin_end(self, member):
+        return self.matches("inside_begin_end", member.command.name)
+
+    def only_inside_begin_end(self, member):
+        """The command has no effect outside Begin and End."""
+        return self.core[member.core.name].get("only_inside_begin_end", False)
+
+    def inlined(self, command):
+        """The handwritten body is in a header, small, and throws nothing."""
+        return self.core[command.name].get("inline", False)
+
+    def listable(self, command):
+        """Recorded in a display list, rather than carried out at once (GL 1.5 §5.4)."""
+        return command.result == "void" and not self.matches("not_in_lists", command.name)
+
+    def recorded_by_hand(self, command):
+        return self.core[command.name].get("record") == "by hand"
+
+    def may_be_null(self, command, parameter):
+        """Whether the handwritten code gives a null pointer a meaning of its own."""
+        return self.matches("may_be_null", f"{command.name}:{parameter.name}")
+
+    def count_function(self, core):
+        """Name of the function pname -> number of values, for a core command that takes a parameter vector."""
+        for lines in self.forms.values():
+            if "values" in lines.get(core.name, {}):
+                return count_function_name(lines[core.name]["values"])
+        return None
+
+    def target(self, name):
+        """The dispatch member behind an exported name; None when it is not implemented."""
+        for candidate in (name, self.registry.commands[name].alias, self.aliases.get(name)):
+            if candidate in self.names:
+                return candidate
+        return None
 
     def gl_version(self):
         """The highest version all of whose commands, and those of the versions before it, are implemented."""
-        members = {c.name for c in self.implemented()}
         best = "1.0"
         for number, names in self.registry.versions.items():
-            if not members.issuperset(names):
+            if not self.names.issuperset(names):
                 break
             best = number
         return best
+
+
+def count_function_name(group):
+    return re.sub(r"(?<=[a-z0-9])([A-Z])", r"_\1", group).lower() + "_count"

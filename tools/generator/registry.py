@@ -49,7 +49,7 @@ class Command:
 
 def text_without_name(element):
     text = "".join(t for child in [element] for t in own_text(child))
-    return re.sub(r"\s+", " ", text).strip().replace(" *", " *")
+    return re.sub(r"\s+", " ", text).strip().replace(" *", "*")
 
 
 def own_text(element):

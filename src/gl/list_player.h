@@ -1,0 +1,41 @@
+// What the generated player (play_record) is made of.
+#pragma once
+
+#include <utility>
+
+#include "gl/context.h"
+#include "gl/list_record.h"
+
+namespace terrazzo::gl {
+
+// Carries out one record through ctx.dispatch.execute.
+void play_record(Context& ctx, const RecordHeader& header);
+
+// Records the error that a command was known to make when it was compiled.
+struct ErrorRecord;
+void play_error(Context& ctx, const ErrorRecord& record);
+
+// Name of the GL command that a record carries out.
+const char* record_name(Opcode opcode);
+
+// An array or image behind a record; see CopiedArray::store.
+template <typename Pointer, typename Record>
+Pointer behind(const Record& record, std::uint32_t offset) {
+    return offset ? reinterpret_cast<Pointer>(reinterpret_cast<const std::byte*>(&record) + offset) : nullptr;
+}
+
+// Images in lists are laid out in the default way, whatever the client's pixel store modes are by now.
+class TightUnpack {
+  public:
+    explicit TightUnpack(Context& ctx)
+        : m_ctx(ctx), m_modes(std::exchange(ctx.pixels.unpack, PixelStore{})) {}
+    ~TightUnpack() { m_ctx.pixels.unpack = m_modes; }
+    TightUnpack(const TightUnpack&) = delete;
+    TightUnpack& operator=(const TightUnpack&) = delete;
+
+  private:
+    Context& m_ctx;
+    PixelStore m_modes;
+};
+
+}  // namespace terrazzo::gl

@@ -1,0 +1,84 @@
+// What the generated recorder (Compile::FooBar) is made of.
+#pragma once
+
+#include <GL/gl.h>
+
+#include <cstring>
+#include <new>
+#include <type_traits>
+
+#include "gl/context.h"
+#include "gl/list_image.h"
+#include "gl/list_record.h"
+
+namespace terrazzo::gl {
+
+// The list being compiled cannot grow: records GL_OUT_OF_MEMORY; EndList will drop the list.
+void list_out_of_memory(Context& ctx);
+
+template <typename Append>
+void record(Context& ctx, Append append) noexcept {
+    if (ctx.lists.out_of_memory) return;
+    try {
+        append(*ctx.lists.compiling);
+    } catch (const std::bad_alloc&) {
+        list_out_of_memory(ctx);
+    }
+}
+
+// An array argument on its way behind a record.
+class CopiedArray {
+  public:
+    template <typename Element>
+    CopiedArray(const Element* elements, std::ptrdiff_t count)
+        : m_bytes(elements),
+          m_size(elements && count > 0 ? static_cast<std::size_t>(count) * element_size<Element>() : 0) {}
+
+    std::size_t padded_size() const { return padded(m_size); }
+
+    // Returns the offset to put into the record; 0 stands for a null pointer.
+    template <typename Record>
+    std::uint32_t store(Record& record, std::size_t offset) const {
+        if (!m_bytes) return 0;
+        if (m_size > 0) std::memcpy(reinterpret_cast<std::byte*>(&record) + offset, m_bytes, m_size);
+        return static_cast<std::uint32_t>(offset);
+    }
+
+  private:
+    template <typename Element>
+    static constexpr std::size_t element_size() {
+        if constexpr (std::is_void_v<Element>)
+            return 1;
+        else
+            return sizeof(Element);
+    }
+
+    const void* m_bytes;
+    std::size_t m_size;
+};
+
+// An image argument on its way behind a record.
+class UnpackedImage {
+  public:
+    UnpackedImage(const Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                  const void* pixels)
+        : m_image(unpack_for_list(ctx.pixels.unpack, width, height, format, type, pixels)) {}
+
+    std::size_t padded_size() const { return padded(m_image.size()); }
+
+    template <typename Record>
+    std::uint32_t store(Record& record, std::size_t offset) const {
+        return CopiedArray(m_image.data(), static_cast<std::ptrdiff_t>(m_image.size()))
+            .store(record, m_image.empty() ? 0 : offset);
+    }
+
+  private:
+    std::vector<std::byte> m_image;
+};
+
+inline bool is_proxy_target(GLenum target) {
+    return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
+           target == GL_PROXY_TEXTURE_CUBE_MAP;
+}
+
+}  // namespace terrazzo::gl
