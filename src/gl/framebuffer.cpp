@@ -1,10 +1,91 @@
-// Flush and Finish (GL 1.5 §5.5).
+// Viewport, depth range, clear values, draw and read buffer (GL 1.5 §2.11.1, §4.2, §4.3.2), and Flush and
+// Finish (§5.5).
 #include "gl/framebuffer.h"
 
-#include "gl/context.h"
+#include <algorithm>
+
+#include "gl/change.h"
 #include "gl/generated/commands.h"
 
 namespace terrazzo::gl {
+namespace {
+
+// The render target has one colour buffer, front left: GL_INVALID_ENUM for what is no buffer,
+// GL_INVALID_OPERATION for buffers that are not there (GL 1.5 §4.2.1).
+GLenum check_buffer(GLenum buffer) {
+    switch (buffer) {
+        case GL_FRONT:
+        case GL_LEFT:
+        case GL_FRONT_LEFT:
+            return GL_NO_ERROR;
+        case GL_BACK:
+        case GL_RIGHT:
+        case GL_FRONT_RIGHT:
+        case GL_BACK_LEFT:
+        case GL_BACK_RIGHT:
+        case GL_AUX0:
+        case GL_AUX1:
+        case GL_AUX2:
+        case GL_AUX3:
+            return GL_INVALID_OPERATION;
+    }
+    return GL_INVALID_ENUM;
+}
+
+}  // namespace
+
+void viewport(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
+    if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
+    ViewportState& viewport = ctx.framebuffer.viewport;
+    width = std::min(width, kMaxViewportSize);
+    height = std::min(height, kMaxViewportSize);
+    if (x == viewport.x && y == viewport.y && width == viewport.width && height == viewport.height) return;
+    begin_change(ctx, Dirty::kTransform);
+    viewport.x = x;
+    viewport.y = y;
+    viewport.width = width;
+    viewport.height = height;
+}
+
+void depth_range(Context& ctx, GLdouble n, GLdouble f) {
+    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.near_depth, std::clamp(n, 0.0, 1.0));
+    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.far_depth, std::clamp(f, 0.0, 1.0));
+}
+
+// Clear values matter to Clear alone, which has drawn everything before it: no change to announce.
+void clear_color(Context& ctx, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+    ctx.framebuffer.clear.color = {red, green, blue, alpha};
+}
+
+void clear_index(Context& ctx, GLfloat c) {
+    ctx.framebuffer.clear.index = c;
+}
+
+void clear_depth(Context& ctx, GLdouble depth) {
+    ctx.framebuffer.clear.depth = std::clamp(depth, 0.0, 1.0);
+}
+
+void clear_stencil(Context& ctx, GLint s) {
+    ctx.framebuffer.clear.stencil = s;
+}
+
+void clear_accum(Context& ctx, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+    ctx.framebuffer.clear.accum = {red, green, blue, alpha};
+    for (GLfloat& component : ctx.framebuffer.clear.accum) component = std::clamp(component, -1.0f, 1.0f);
+}
+
+void draw_buffer(Context& ctx, GLenum buf) {
+    const bool none_or_several = buf == GL_NONE || buf == GL_FRONT_AND_BACK;
+    if (const GLenum error = none_or_several ? GL_NO_ERROR : check_buffer(buf)) {
+        return record_error(ctx, error, "no such draw buffer");
+    }
+    change(ctx, Dirty::kFragment, ctx.framebuffer.draw_buffer, buf);
+}
+
+void read_buffer(Context& ctx, GLenum src) {
+    if (const GLenum error = check_buffer(src)) return record_error(ctx, error, "no such read buffer");
+    ctx.framebuffer.read_buffer = src;
+}
 
 void flush(Context& ctx) {
     begin_change(ctx, Dirty::kFramebuffer);

@@ -13,6 +13,8 @@
 
 namespace terrazzo::gl {
 
+struct Context;
+
 using Color4 = std::array<GLfloat, 4>;
 
 struct Light {
@@ -62,5 +64,10 @@ struct LightingState {
     ColorMaterial color_material;
     Material front, back;
 };
+
+// While GL_COLOR_MATERIAL is enabled the tracked parameters are the current colour, and what is kept in
+// `front` and `back` is stale. This brings them up to date: before they are read or saved, before tracking
+// ends or changes.
+void latch_color_material(Context& ctx);
 
 }  // namespace terrazzo::gl

@@ -1,7 +1,5 @@
 // Coordinate transformation state (GL 1.5 §2.11, §2.12; tables 6.9, 6.10): matrix stacks, user clip planes,
 // and what happens to normals on their way to eye space.
-//
-// Matrices are column-major as GL hands them over: element (row, column) is m[4 * column + row].
 #pragma once
 
 #include <GL/gl.h>
@@ -10,21 +8,18 @@
 #include <vector>
 
 #include "gl/limits.h"
+#include "gl/matrix_math.h"
 
 namespace terrazzo::gl {
-
-struct Matrix {
-    std::array<GLfloat, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-};
 
 // Never empty; the current matrix is the last entry.
 struct MatrixStack {
     explicit MatrixStack(int depth) : max_depth(depth) {}
 
-    Matrix& top() { return entries.back(); }
-    const Matrix& top() const { return entries.back(); }
+    StackMatrix& top() { return entries.back(); }
+    const StackMatrix& top() const { return entries.back(); }
 
-    std::vector<Matrix> entries = std::vector<Matrix>(1);
+    std::vector<StackMatrix> entries{StackMatrix{}};
     int max_depth;
 };
 
@@ -48,5 +43,9 @@ struct MatrixState {
         std::vector<MatrixStack>(kMaxTextureUnits, MatrixStack(kMaxTextureMatrixDepth));
     TransformState transform;
 };
+
+// A plane given in object coordinates, in the eye coordinates of the current model-view matrix: the row
+// vector times the inverse (GL 1.5 §2.11.4, §2.12).
+std::array<GLfloat, 4> plane_to_eye(MatrixState& matrix, const GLfloat plane[4]);
 
 }  // namespace terrazzo::gl

@@ -5,8 +5,17 @@
 
 #include <GL/gl.h>
 
+#include <array>
+
 namespace terrazzo::gl {
 
-struct VertexState {};
+// The values a vertex takes that gives none of its own (GL 1.5 §2.7); saved by glPushAttrib(GL_CURRENT_BIT).
+struct CurrentAttributes {
+    std::array<GLfloat, 4> color{1, 1, 1, 1};
+};
+
+struct VertexState {
+    CurrentAttributes current;
+};
 
 }  // namespace terrazzo::gl

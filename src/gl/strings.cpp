@@ -1,0 +1,43 @@
+// GetString (GL 1.5 §6.1.11). The version is that of the dispatch table: it never promises more than is
+// there.
+#include <string>
+
+#include "gl/context.h"
+#include "gl/generated/commands.h"
+#include "gl/generated/dispatch.h"
+
+namespace terrazzo::gl {
+namespace {
+
+constexpr const char* kVendor = "Terrazzo";
+constexpr const char* kRenderer = "Terrazzo";
+constexpr const char* kExtensions = "";
+
+const char* version() {
+    static const std::string text = std::string(kGlVersion) + " Terrazzo " TERRAZZO_VERSION;
+    return text.c_str();
+}
+
+const char* find_string(GLenum name) {
+    switch (name) {
+        case GL_VENDOR:
+            return kVendor;
+        case GL_RENDERER:
+            return kRenderer;
+        case GL_VERSION:
+            return version();
+        case GL_EXTENSIONS:
+            return kExtensions;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+const GLubyte* get_string(Context& ctx, GLenum name) {
+    const char* text = find_string(name);
+    if (!text) record_error(ctx, GL_INVALID_ENUM, "no such string");
+    return reinterpret_cast<const GLubyte*>(text);
+}
+
+}  // namespace terrazzo::gl

@@ -1,0 +1,309 @@
+// Reads every state variable in every type that a query offers; see state_dump.h.
+#include "state_dump.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+
+namespace terrazzo::test {
+namespace {
+
+struct Name {
+    GLenum value;
+    const char* text;
+};
+
+#define TERRAZZO_NAME(name) {name, #name}
+
+// Variables of glGet and how many values they have.
+struct Variable {
+    Name name;
+    int count;
+};
+
+constexpr Variable kVariables[] = {
+    {TERRAZZO_NAME(GL_MODELVIEW_MATRIX), 16},
+    {TERRAZZO_NAME(GL_PROJECTION_MATRIX), 16},
+    {TERRAZZO_NAME(GL_TEXTURE_MATRIX), 16},
+    {TERRAZZO_NAME(GL_MODELVIEW_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_PROJECTION_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MATRIX_MODE), 1},
+    {TERRAZZO_NAME(GL_VIEWPORT), 4},
+    {TERRAZZO_NAME(GL_DEPTH_RANGE), 2},
+    {TERRAZZO_NAME(GL_FOG_MODE), 1},
+    {TERRAZZO_NAME(GL_FOG_COLOR), 4},
+    {TERRAZZO_NAME(GL_FOG_DENSITY), 1},
+    {TERRAZZO_NAME(GL_FOG_START), 1},
+    {TERRAZZO_NAME(GL_FOG_END), 1},
+    {TERRAZZO_NAME(GL_FOG_INDEX), 1},
+    {TERRAZZO_NAME(GL_SHADE_MODEL), 1},
+    {TERRAZZO_NAME(GL_COLOR_MATERIAL_FACE), 1},
+    {TERRAZZO_NAME(GL_COLOR_MATERIAL_PARAMETER), 1},
+    {TERRAZZO_NAME(GL_LIGHT_MODEL_AMBIENT), 4},
+    {TERRAZZO_NAME(GL_LIGHT_MODEL_LOCAL_VIEWER), 1},
+    {TERRAZZO_NAME(GL_LIGHT_MODEL_TWO_SIDE), 1},
+    {TERRAZZO_NAME(GL_LIGHT_MODEL_COLOR_CONTROL), 1},
+    {TERRAZZO_NAME(GL_POINT_SIZE), 1},
+    {TERRAZZO_NAME(GL_LINE_WIDTH), 1},
+    {TERRAZZO_NAME(GL_LINE_STIPPLE_PATTERN), 1},
+    {TERRAZZO_NAME(GL_LINE_STIPPLE_REPEAT), 1},
+    {TERRAZZO_NAME(GL_CULL_FACE_MODE), 1},
+    {TERRAZZO_NAME(GL_FRONT_FACE), 1},
+    {TERRAZZO_NAME(GL_POLYGON_MODE), 2},
+    {TERRAZZO_NAME(GL_POLYGON_OFFSET_FACTOR), 1},
+    {TERRAZZO_NAME(GL_POLYGON_OFFSET_UNITS), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_BINDING_1D), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_BINDING_2D), 1},
+    {TERRAZZO_NAME(GL_SCISSOR_BOX), 4},
+    {TERRAZZO_NAME(GL_ALPHA_TEST_FUNC), 1},
+    {TERRAZZO_NAME(GL_ALPHA_TEST_REF), 1},
+    {TERRAZZO_NAME(GL_STENCIL_FUNC), 1},
+    {TERRAZZO_NAME(GL_STENCIL_VALUE_MASK), 1},
+    {TERRAZZO_NAME(GL_STENCIL_REF), 1},
+    {TERRAZZO_NAME(GL_STENCIL_FAIL), 1},
+    {TERRAZZO_NAME(GL_STENCIL_PASS_DEPTH_FAIL), 1},
+    {TERRAZZO_NAME(GL_STENCIL_PASS_DEPTH_PASS), 1},
+    {TERRAZZO_NAME(GL_DEPTH_FUNC), 1},
+    {TERRAZZO_NAME(GL_BLEND_SRC), 1},
+    {TERRAZZO_NAME(GL_BLEND_DST), 1},
+    {TERRAZZO_NAME(GL_LOGIC_OP_MODE), 1},
+    {TERRAZZO_NAME(GL_DRAW_BUFFER), 1},
+    {TERRAZZO_NAME(GL_READ_BUFFER), 1},
+    {TERRAZZO_NAME(GL_INDEX_WRITEMASK), 1},
+    {TERRAZZO_NAME(GL_COLOR_WRITEMASK), 4},
+    {TERRAZZO_NAME(GL_DEPTH_WRITEMASK), 1},
+    {TERRAZZO_NAME(GL_STENCIL_WRITEMASK), 1},
+    {TERRAZZO_NAME(GL_COLOR_CLEAR_VALUE), 4},
+    {TERRAZZO_NAME(GL_INDEX_CLEAR_VALUE), 1},
+    {TERRAZZO_NAME(GL_DEPTH_CLEAR_VALUE), 1},
+    {TERRAZZO_NAME(GL_STENCIL_CLEAR_VALUE), 1},
+    {TERRAZZO_NAME(GL_ACCUM_CLEAR_VALUE), 4},
+    {TERRAZZO_NAME(GL_UNPACK_SWAP_BYTES), 1},
+    {TERRAZZO_NAME(GL_UNPACK_LSB_FIRST), 1},
+    {TERRAZZO_NAME(GL_UNPACK_ROW_LENGTH), 1},
+    {TERRAZZO_NAME(GL_UNPACK_SKIP_ROWS), 1},
+    {TERRAZZO_NAME(GL_UNPACK_SKIP_PIXELS), 1},
+    {TERRAZZO_NAME(GL_UNPACK_ALIGNMENT), 1},
+    {TERRAZZO_NAME(GL_PACK_SWAP_BYTES), 1},
+    {TERRAZZO_NAME(GL_PACK_LSB_FIRST), 1},
+    {TERRAZZO_NAME(GL_PACK_ROW_LENGTH), 1},
+    {TERRAZZO_NAME(GL_PACK_SKIP_ROWS), 1},
+    {TERRAZZO_NAME(GL_PACK_SKIP_PIXELS), 1},
+    {TERRAZZO_NAME(GL_PACK_ALIGNMENT), 1},
+    {TERRAZZO_NAME(GL_MAP_COLOR), 1},
+    {TERRAZZO_NAME(GL_MAP_STENCIL), 1},
+    {TERRAZZO_NAME(GL_INDEX_SHIFT), 1},
+    {TERRAZZO_NAME(GL_INDEX_OFFSET), 1},
+    {TERRAZZO_NAME(GL_RED_SCALE), 1},
+    {TERRAZZO_NAME(GL_GREEN_SCALE), 1},
+    {TERRAZZO_NAME(GL_BLUE_SCALE), 1},
+    {TERRAZZO_NAME(GL_ALPHA_SCALE), 1},
+    {TERRAZZO_NAME(GL_RED_BIAS), 1},
+    {TERRAZZO_NAME(GL_GREEN_BIAS), 1},
+    {TERRAZZO_NAME(GL_BLUE_BIAS), 1},
+    {TERRAZZO_NAME(GL_ALPHA_BIAS), 1},
+    {TERRAZZO_NAME(GL_DEPTH_SCALE), 1},
+    {TERRAZZO_NAME(GL_DEPTH_BIAS), 1},
+    {TERRAZZO_NAME(GL_ZOOM_X), 1},
+    {TERRAZZO_NAME(GL_ZOOM_Y), 1},
+    {TERRAZZO_NAME(GL_PERSPECTIVE_CORRECTION_HINT), 1},
+    {TERRAZZO_NAME(GL_POINT_SMOOTH_HINT), 1},
+    {TERRAZZO_NAME(GL_LINE_SMOOTH_HINT), 1},
+    {TERRAZZO_NAME(GL_POLYGON_SMOOTH_HINT), 1},
+    {TERRAZZO_NAME(GL_FOG_HINT), 1},
+    {TERRAZZO_NAME(GL_ATTRIB_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_CLIENT_ATTRIB_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MAX_LIGHTS), 1},
+    {TERRAZZO_NAME(GL_MAX_MODELVIEW_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MAX_PROJECTION_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MAX_TEXTURE_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MAX_ATTRIB_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MAX_NAME_STACK_DEPTH), 1},
+    {TERRAZZO_NAME(GL_MAX_LIST_NESTING), 1},
+    {TERRAZZO_NAME(GL_MAX_PIXEL_MAP_TABLE), 1},
+    {TERRAZZO_NAME(GL_MAX_TEXTURE_SIZE), 1},
+    {TERRAZZO_NAME(GL_MAX_VIEWPORT_DIMS), 2},
+    {TERRAZZO_NAME(GL_SUBPIXEL_BITS), 1},
+    {TERRAZZO_NAME(GL_POINT_SIZE_RANGE), 2},
+    {TERRAZZO_NAME(GL_POINT_SIZE_GRANULARITY), 1},
+    {TERRAZZO_NAME(GL_ALIASED_POINT_SIZE_RANGE), 2},
+    {TERRAZZO_NAME(GL_LINE_WIDTH_RANGE), 2},
+    {TERRAZZO_NAME(GL_LINE_WIDTH_GRANULARITY), 1},
+    {TERRAZZO_NAME(GL_ALIASED_LINE_WIDTH_RANGE), 2},
+    {TERRAZZO_NAME(GL_RGBA_MODE), 1},
+    {TERRAZZO_NAME(GL_INDEX_MODE), 1},
+    {TERRAZZO_NAME(GL_DOUBLEBUFFER), 1},
+    {TERRAZZO_NAME(GL_STEREO), 1},
+    {TERRAZZO_NAME(GL_AUX_BUFFERS), 1},
+    {TERRAZZO_NAME(GL_INDEX_BITS), 1},
+    {TERRAZZO_NAME(GL_RENDER_MODE), 1},
+};
+
+constexpr Name kCapabilities[] = {
+    TERRAZZO_NAME(GL_ALPHA_TEST),
+    TERRAZZO_NAME(GL_BLEND),
+    TERRAZZO_NAME(GL_CLIP_PLANE0),
+    TERRAZZO_NAME(GL_CLIP_PLANE1),
+    TERRAZZO_NAME(GL_CLIP_PLANE5),
+    TERRAZZO_NAME(GL_COLOR_LOGIC_OP),
+    TERRAZZO_NAME(GL_COLOR_MATERIAL),
+    TERRAZZO_NAME(GL_CULL_FACE),
+    TERRAZZO_NAME(GL_DEPTH_TEST),
+    TERRAZZO_NAME(GL_DITHER),
+    TERRAZZO_NAME(GL_FOG),
+    TERRAZZO_NAME(GL_INDEX_LOGIC_OP),
+    TERRAZZO_NAME(GL_LIGHT0),
+    TERRAZZO_NAME(GL_LIGHT1),
+    TERRAZZO_NAME(GL_LIGHT7),
+    TERRAZZO_NAME(GL_LIGHTING),
+    TERRAZZO_NAME(GL_LINE_SMOOTH),
+    TERRAZZO_NAME(GL_LINE_STIPPLE),
+    TERRAZZO_NAME(GL_NORMALIZE),
+    TERRAZZO_NAME(GL_POINT_SMOOTH),
+    TERRAZZO_NAME(GL_POLYGON_OFFSET_FILL),
+    TERRAZZO_NAME(GL_POLYGON_OFFSET_LINE),
+    TERRAZZO_NAME(GL_POLYGON_OFFSET_POINT),
+    TERRAZZO_NAME(GL_POLYGON_SMOOTH),
+    TERRAZZO_NAME(GL_POLYGON_STIPPLE),
+    TERRAZZO_NAME(GL_RESCALE_NORMAL),
+    TERRAZZO_NAME(GL_SCISSOR_TEST),
+    TERRAZZO_NAME(GL_STENCIL_TEST),
+    TERRAZZO_NAME(GL_TEXTURE_1D),
+    TERRAZZO_NAME(GL_TEXTURE_2D),
+    TERRAZZO_NAME(GL_TEXTURE_GEN_Q),
+    TERRAZZO_NAME(GL_TEXTURE_GEN_R),
+    TERRAZZO_NAME(GL_TEXTURE_GEN_S),
+    TERRAZZO_NAME(GL_TEXTURE_GEN_T),
+};
+
+// Parameters of objects within the context: lights, materials, coordinate generation, environment.
+struct Parameter {
+    Name name;
+    int count;
+};
+
+constexpr Parameter kLightParameters[] = {
+    {TERRAZZO_NAME(GL_AMBIENT), 4},
+    {TERRAZZO_NAME(GL_DIFFUSE), 4},
+    {TERRAZZO_NAME(GL_SPECULAR), 4},
+    {TERRAZZO_NAME(GL_POSITION), 4},
+    {TERRAZZO_NAME(GL_SPOT_DIRECTION), 3},
+    {TERRAZZO_NAME(GL_SPOT_EXPONENT), 1},
+    {TERRAZZO_NAME(GL_SPOT_CUTOFF), 1},
+    {TERRAZZO_NAME(GL_CONSTANT_ATTENUATION), 1},
+    {TERRAZZO_NAME(GL_LINEAR_ATTENUATION), 1},
+    {TERRAZZO_NAME(GL_QUADRATIC_ATTENUATION), 1},
+};
+
+constexpr Parameter kMaterialParameters[] = {
+    {TERRAZZO_NAME(GL_AMBIENT), 4},  {TERRAZZO_NAME(GL_DIFFUSE), 4},   {TERRAZZO_NAME(GL_SPECULAR), 4},
+    {TERRAZZO_NAME(GL_EMISSION), 4}, {TERRAZZO_NAME(GL_SHININESS), 1}, {TERRAZZO_NAME(GL_COLOR_INDEXES), 3},
+};
+
+constexpr Parameter kTexgenParameters[] = {
+    {TERRAZZO_NAME(GL_TEXTURE_GEN_MODE), 1},
+    {TERRAZZO_NAME(GL_OBJECT_PLANE), 4},
+    {TERRAZZO_NAME(GL_EYE_PLANE), 4},
+};
+
+constexpr Parameter kEnvironmentParameters[] = {
+    {TERRAZZO_NAME(GL_TEXTURE_ENV_MODE), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_ENV_COLOR), 4},
+};
+
+constexpr Name kLights[] = {TERRAZZO_NAME(GL_LIGHT0), TERRAZZO_NAME(GL_LIGHT1), TERRAZZO_NAME(GL_LIGHT7)};
+constexpr Name kFaces[] = {TERRAZZO_NAME(GL_FRONT), TERRAZZO_NAME(GL_BACK)};
+constexpr Name kCoordinates[] = {TERRAZZO_NAME(GL_S), TERRAZZO_NAME(GL_T), TERRAZZO_NAME(GL_R),
+                                 TERRAZZO_NAME(GL_Q)};
+constexpr Name kClipPlanes[] = {TERRAZZO_NAME(GL_CLIP_PLANE0), TERRAZZO_NAME(GL_CLIP_PLANE1),
+                                TERRAZZO_NAME(GL_CLIP_PLANE5)};
+constexpr Name kEnvironments[] = {TERRAZZO_NAME(GL_TEXTURE_ENV)};
+
+std::string text(GLdouble value) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, " %a", value);
+    return buffer;
+}
+
+// One query; values that it must not write would show as the pattern it starts from.
+template <typename Value, typename Query>
+std::string query_line(const std::string& name, const char* type, int count, Query query) {
+    Value values[16];
+    std::fill(std::begin(values), std::end(values), static_cast<Value>(77));
+    query(values);
+    std::string line = name + ' ' + type;
+    for (int i = 0; i < count; ++i) line += text(static_cast<GLdouble>(values[i]));
+    return line;
+}
+
+using Dump = std::vector<std::string>;
+
+void dump_variables(const kit::Gl& gl, Dump& dump) {
+    for (const auto& [name, count] : kVariables) {
+        const GLenum v = name.value;
+        dump.push_back(query_line<GLboolean>(name.text, "boolean", count, [&](auto* p) { gl.GetBooleanv(v, p); }));
+        dump.push_back(query_line<GLint>(name.text, "int", count, [&](auto* p) { gl.GetIntegerv(v, p); }));
+        dump.push_back(query_line<GLfloat>(name.text, "float", count, [&](auto* p) { gl.GetFloatv(v, p); }));
+        dump.push_back(query_line<GLdouble>(name.text, "double", count, [&](auto* p) { gl.GetDoublev(v, p); }));
+    }
+}
+
+void dump_capabilities(const kit::Gl& gl, Dump& dump) {
+    for (const Name& name : kCapabilities) {
+        dump.push_back(name.text + std::string(gl.IsEnabled(name.value) ? " enabled" : " disabled"));
+        dump.push_back(query_line<GLint>(name.text, "int", 1, [&](auto* p) { gl.GetIntegerv(name.value, p); }));
+    }
+}
+
+// The fv and iv queries of every parameter of every object.
+template <typename Objects, typename Parameters, typename Floats, typename Integers>
+void dump_objects(const Objects& objects, const Parameters& parameters, Floats floats, Integers integers,
+                  Dump& dump) {
+    for (const Name& object : objects) {
+        for (const Parameter& parameter : parameters) {
+            const std::string name = std::string(object.text) + '.' + parameter.name.text;
+            dump.push_back(query_line<GLfloat>(name, "float", parameter.count, [&](auto* p) {
+                floats(object.value, parameter.name.value, p);
+            }));
+            dump.push_back(query_line<GLint>(name, "int", parameter.count, [&](auto* p) {
+                integers(object.value, parameter.name.value, p);
+            }));
+        }
+    }
+}
+
+void dump_polygon_stipple(const kit::Gl& gl, Dump& dump) {
+    gl.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    for (GLenum parameter : {GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS}) {
+        gl.PixelStorei(parameter, 0);
+    }
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    GLubyte pattern[128] = {};
+    gl.GetPolygonStipple(pattern);
+    gl.PopClientAttrib();
+    std::string line = "POLYGON_STIPPLE";
+    for (GLubyte byte : pattern) line += text(byte);
+    dump.push_back(line);
+}
+
+}  // namespace
+
+std::vector<std::string> dump_state(const kit::Gl& gl) {
+    Dump dump;
+    dump_variables(gl, dump);
+    dump_capabilities(gl, dump);
+    dump_objects(kLights, kLightParameters, gl.GetLightfv, gl.GetLightiv, dump);
+    dump_objects(kFaces, kMaterialParameters, gl.GetMaterialfv, gl.GetMaterialiv, dump);
+    dump_objects(kCoordinates, kTexgenParameters, gl.GetTexGenfv, gl.GetTexGeniv, dump);
+    dump_objects(kEnvironments, kEnvironmentParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
+    for (const Name& plane : kClipPlanes) {
+        dump.push_back(
+            query_line<GLdouble>(plane.text, "double", 4, [&](auto* p) { gl.GetClipPlane(plane.value, p); }));
+    }
+    dump_polygon_stipple(gl, dump);
+    return dump;
+}
+
+}  // namespace terrazzo::test
