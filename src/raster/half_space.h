@@ -1,0 +1,120 @@
+// Half-space traversal of one bin [Pineda 1988; Frolov 2020 §2.2, rows ]: which tiles a primitive touches,
+// and which of their pixels.
+//
+// A row of the bin's tiles is tested at once, one lane a tile: an edge function at the tile's most favourable corner
+// rejects it, at its least favourable corner accepts it. What remains is tested pixel by pixel, again in 16 lanes.
+// All of it is 32-bit arithmetic relative to the bin's corner: where an edge does not cross the bin its value is
+// clamped, which keeps its sign.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+
+#include "raster/primitive.h"
+#include "raster/target.h"
+#include "simd/wide.h"
+
+namespace terrazzo::raster {
+
+// The tiles of one bin that a primitive covers, each with one bit a pixel.
+struct TileList {
+    struct Entry {
+        uint16_t tile;  // 0 to 255, row by row
+        uint16_t mask;  // bit 4*y + x, never 0
+    };
+    int count = 0;
+    Entry entries[kBinTiles];
+};
+
+}  // namespace terrazzo::raster
+
+namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
+
+using namespace raster;
+
+// An edge relative to a bin.
+struct BinEdge {
+    int32_t at_row;       // value at the first pixel of the current tile row
+    int32_t step_x, step_y;
+    int32_t best, worst;  // what the most and the least favourable pixel of a tile add to its first pixel
+};
+
+// Beyond this an edge cannot change its sign within a bin: a step is below 2^23 and a bin has 64 pixels each way.
+inline constexpr int64_t kEdgeLimit = int64_t{1} << 30;
+
+TERRAZZO_INLINE BinEdge edge_in_bin(const Edge& edge, int bin_x, int bin_y, int first_row) {
+    const int64_t corner = edge.c + int64_t{edge.step_x} * bin_x + int64_t{edge.step_y} * (bin_y + first_row * kTileSize);
+    BinEdge e;
+    e.at_row = static_cast<int32_t>(std::clamp(corner, -kEdgeLimit, kEdgeLimit));
+    e.step_x = edge.step_x;
+    e.step_y = edge.step_y;
+    e.best = 3 * (std::max(edge.step_x, 0) + std::max(edge.step_y, 0));
+    e.worst = 3 * (std::min(edge.step_x, 0) + std::min(edge.step_y, 0));
+    return e;
+}
+
+// Pixels of a tile column or row that lie in [low, high), the tile starting at `first`: four bits.
+TERRAZZO_INLINE uint32_t span_bits(int first, int low, int high) {
+    const int skip = std::max(low - first, 0), keep = std::min(high - first, 4);
+    return (0xfu << skip) & ((1u << keep) - 1) & 0xfu;
+}
+// Four row bits to sixteen pixel bits.
+TERRAZZO_INLINE uint32_t spread_rows(uint32_t rows) {
+    return ((rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9) * 0xfu;
+}
+
+template <int kEdges>
+TERRAZZO_INLINE void cover_bin(const Primitive& primitive, const Bin& bin, TileList& list) {
+    const int x0 = std::max<int>(primitive.x0 - bin.x, 0), x1 = std::min<int>(primitive.x1 - bin.x, kBinSize);
+    const int y0 = std::max<int>(primitive.y0 - bin.y, 0), y1 = std::min<int>(primitive.y1 - bin.y, kBinSize);
+    list.count = 0;
+    if (x0 >= x1 || y0 >= y1) return;
+    const int first_column = x0 >> 2, last_column = (x1 - 1) >> 2;
+    const int first_row = y0 >> 2, last_row = (y1 - 1) >> 2;
+    const uint32_t columns = (2u << last_column) - (1u << first_column);
+    const uint32_t left = span_bits(first_column * 4, x0, x1) * 0x1111u;
+    const uint32_t right = span_bits(last_column * 4, x0, x1) * 0x1111u;
+
+    constexpr int kArray = kEdges == 0 ? 1 : kEdges;
+    BinEdge edges[kArray];
+    I32x16 in_tile[kArray];   // what each pixel adds to its tile's first
+    I32x16 along_row[kArray]; // what each tile adds to the row's first
+    for (int e = 0; e < kEdges; ++e) {
+        edges[e] = edge_in_bin(primitive.edges[e], bin.x, bin.y, first_row);
+        along_row[e] = lane_numbers() * I32x16(edges[e].step_x * kTileSize);
+        in_tile[e] = lane_x() * I32x16(edges[e].step_x) + lane_y() * I32x16(edges[e].step_y);
+    }
+
+    for (int row = first_row; row <= last_row; ++row) {
+        uint32_t touched = columns, partial = 0;
+        if constexpr (kEdges != 0) {
+            I32x16 rejects(0), accepts(0);
+            for (int e = 0; e < kEdges; ++e) {
+                const I32x16 value = along_row[e] + I32x16(edges[e].at_row);
+                rejects = rejects | (value + I32x16(edges[e].best));
+                accepts = accepts | (value + I32x16(edges[e].worst));
+            }
+            touched &= ~sign_bits(rejects);
+            partial = sign_bits(accepts);
+        }
+        const uint32_t rows = row == first_row || row == last_row ? spread_rows(span_bits(row * 4, y0, y1)) : 0xffffu;
+        while (touched != 0) {
+            const int column = std::countr_zero(touched);
+            touched &= touched - 1;
+            uint32_t mask = rows;
+            if (column == first_column) mask &= left;
+            if (column == last_column) mask &= right;
+            if (partial >> column & 1) {
+                I32x16 outside(0);
+                for (int e = 0; e < kEdges; ++e)
+                    outside = outside | (in_tile[e] + I32x16(edges[e].at_row + column * kTileSize * edges[e].step_x));
+                mask &= ~sign_bits(outside);
+            }
+            if (mask == 0) continue;
+            list.entries[list.count++] = {static_cast<uint16_t>(row * kTilesAcross + column), static_cast<uint16_t>(mask)};
+        }
+        for (int e = 0; e < kEdges; ++e) edges[e].at_row += kTileSize * edges[e].step_y;
+    }
+}
+
+}  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -1,0 +1,43 @@
+// What each compiled instruction set offers to the code above it; one instance of the table per set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "raster/primitive.h"
+#include "raster/target.h"
+
+namespace terrazzo::raster {
+
+// One entry of a bin's list.
+struct BinCommand {
+    enum class Kind : uint32_t { kPrimitive, kClear };
+    const void* data;  // Primitive, or BinClear
+    Kind kind;
+};
+
+// A clear in a bin's list: of the whole bin where the rectangle and masks are full, else pixel by pixel.
+struct BinClear {
+    ClearPlanes planes;
+    ClearValues values;
+    int16_t x0, y0, x1, y1;
+    uint8_t color_mask;    // bit 0 red ... bit 3 alpha
+    uint8_t stencil_mask;
+};
+
+struct KernelTable {
+    const char* name;
+    // The kernel for a key: a specialised one where there is one, else the general one.
+    TileKernel (*select_kernel)(const FragmentKey&);
+    // Draws one primitive into one bin, whose planes are materialised.
+    void (*draw_primitive)(const Primitive&, Bin&);
+};
+
+// The table in use: the best for this processor, or what TERRAZZO_ISA asks for where it can be had. Chosen once.
+const KernelTable& kernels();
+
+// Every table this processor can run, best first; for tests that compare them.
+std::span<const KernelTable* const> compiled_kernels();
+
+}  // namespace terrazzo::raster

@@ -1,0 +1,75 @@
+// The pixel kernels of one instruction set: the general one, the specialised ones, and the choice among them.
+#include "raster/kernel_table.h"
+#include "raster/pixel/shade.h"
+
+namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
+
+namespace {
+
+void general_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin, const TileList& list) {
+    shade_tiles(RuntimeKey{state.key}, state, primitive, bin, list);
+}
+
+template <FragmentKey kKey>
+void specialised_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin, const TileList& list) {
+    shade_tiles(ConstantKey<kKey>{}, state, primitive, bin, list);
+}
+
+constexpr FragmentKey hot_key(bool depth, Compare func, bool perspective, bool interpolated_color, TextureKind texture) {
+    FragmentKey key;
+    key.depth_test = key.depth_write = depth;
+    key.depth_func = func;
+    key.perspective = perspective;
+    key.interpolated_color = interpolated_color;
+    key.texture = texture;
+    return key;
+}
+
+struct Specialised {
+    FragmentKey key;
+    TileKernel kernel;
+};
+
+template <FragmentKey kKey>
+constexpr Specialised specialise() {
+    return {kKey, specialised_kernel<kKey>};
+}
+
+constexpr auto kBilinear = TextureKind::kModulateBilinearRgba8;
+// The state of the study's scenes T1 to T6 and of the demo's models, with both usual depth functions.
+constexpr Specialised kSpecialised[] = {
+    specialise<hot_key(false, Compare::kLess, false, true, TextureKind::kNone)>(),
+    specialise<hot_key(false, Compare::kLess, false, false, TextureKind::kNone)>(),
+    specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone)>(),
+    specialise<hot_key(true, Compare::kLess, true, false, TextureKind::kNone)>(),
+    specialise<hot_key(true, Compare::kLess, true, false, kBilinear)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, false, kBilinear)>(),
+    specialise<hot_key(true, Compare::kLess, true, true, kBilinear)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear)>(),
+};
+
+TileKernel select_kernel(const FragmentKey& key) {
+    FragmentKey wanted = key;
+    if (!key.depth_test) wanted.depth_func = Compare::kLess, wanted.depth_write = false;
+    for (const Specialised& s : kSpecialised)
+        if (s.key == wanted) return s.kernel;
+    return general_kernel;
+}
+
+void draw_primitive(const Primitive& primitive, Bin& bin) {
+    TileList list;
+    switch (primitive.edge_count) {
+        case 0: cover_bin<0>(primitive, bin, list); break;
+        case 3: cover_bin<3>(primitive, bin, list); break;
+        default: cover_bin<4>(primitive, bin, list); break;
+    }
+    if (list.count != 0) primitive.state->kernel(*primitive.state, primitive, bin, list);
+}
+
+}  // namespace
+
+extern const KernelTable kKernelTable;
+const KernelTable kKernelTable = {TERRAZZO_ISA_NAME, select_kernel, draw_primitive};
+
+}  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

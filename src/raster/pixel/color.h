@@ -1,0 +1,35 @@
+// A colour of 16 pixels, and its way to and from unsigned normalised integers.
+#pragma once
+
+#include "simd/wide.h"
+
+namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
+
+struct Color {
+    F32x16 r, g, b, a;
+};
+
+TERRAZZO_INLINE Color uniform_color(const float c[4]) { return {c[0], c[1], c[2], c[3]}; }
+
+// round(f * 255) into [0, 255]; NaN gives 0.
+TERRAZZO_INLINE I32x16 to_unorm8(F32x16 f) {
+    return round_to_int(clamp(f, F32x16(0.0f), F32x16(1.0f)) * F32x16(255.0f));
+}
+TERRAZZO_INLINE I32x16 to_unorm(F32x16 f, float maximum) {
+    return round_to_int(clamp(f, F32x16(0.0f), F32x16(1.0f)) * F32x16(maximum));
+}
+TERRAZZO_INLINE F32x16 from_unorm8(I32x16 v) { return to_float(v) * F32x16(1.0f / 255.0f); }
+
+struct Color8 {
+    I32x16 r, g, b, a;  // each in [0, 255]
+};
+TERRAZZO_INLINE Color8 unpack_rgba8(I32x16 packed) {
+    const I32x16 byte(255);
+    return {packed & byte, shift_right<8>(packed) & byte, shift_right<16>(packed) & byte,
+            shift_right_logical<24>(packed)};
+}
+TERRAZZO_INLINE I32x16 pack_rgba8(Color8 c) {
+    return c.r | shift_left<8>(c.g) | shift_left<16>(c.b) | shift_left<24>(c.a);
+}
+
+}  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -1,0 +1,117 @@
+// The walk of one primitive's fragments from coverage to the tile, stage after stage in GL's order. Every kernel is this
+// function: with a constant key its branches fold away, with a run-time key it serves all state.
+#pragma once
+
+#include "raster/half_space.h"
+#include "raster/pixel/combine.h"
+#include "raster/pixel/depth_stencil.h"
+#include "raster/pixel/fog_alpha.h"
+#include "raster/pixel/interpolate.h"
+#include "raster/pixel/sample.h"
+#include "raster/pixel/write.h"
+
+namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
+
+using namespace raster;
+
+template <FragmentKey kKey>
+struct ConstantKey {
+    static constexpr FragmentKey value = kKey;
+};
+struct RuntimeKey {
+    const FragmentKey& value;
+};
+
+// Which pixels of a tile the 32x32 polygon stipple lets through. `y` counts upwards in the window.
+TERRAZZO_INLINE uint32_t stipple_mask(const uint32_t* pattern, int x, int y, int step) {
+    uint32_t mask = 0;
+    for (int row = 0; row < 4; ++row, y += step) {
+        const uint32_t bits = pattern[y & 31];
+        for (int i = 0; i < 4; ++i) mask |= (bits >> (31 - ((x + i) & 31)) & 1) << (4 * row + i);
+    }
+    return mask;
+}
+
+template <class Key>
+TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const Interpolator& at, F32x16 w) {
+    if (!key.value.interpolated_color) return uniform_color(state.constant_color);
+    const int first = state.varyings.color;
+    Color c{at.varying(first), at.varying(first + 1), at.varying(first + 2), at.varying(first + 3)};
+    if (key.value.perspective) c = {c.r * w, c.g * w, c.b * w, c.a * w};
+    return c;
+}
+
+// One 2D unit, REPEAT, LINEAR without mip levels, MODULATE, 8-bit texels: the hot case of textured scenes.
+TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interpolator& at, F32x16 w, const Color& f) {
+    const TextureStage& stage = state.textures[0];
+    const int first = state.varyings.texture[0];
+    const Color8 texel = to_color8(sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, stage.sampler.levels[0],
+                                                   Filter::kLinear, at.varying(first) * w, at.varying(first + 1) * w));
+    const Color t{from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
+    return {f.r * t.r, f.g * t.g, f.b * t.b, stage.base_format == BaseFormat::kRgb ? f.a : f.a * t.a};
+}
+
+inline Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w, Color color, uint32_t mask) {
+    for (int unit = 0; unit < state.texture_count; ++unit) {
+        const TextureStage& stage = state.textures[static_cast<size_t>(unit)];
+        const int first = state.varyings.texture[static_cast<size_t>(unit)];
+        const F32x16 scale = state.varyings.projective >> unit & 1 ? F32x16(1.0f) / at.varying(first + 3) : w;
+        const Color texel = sample_texture(stage.sampler, at.varying(first) * scale, at.varying(first + 1) * scale, mask);
+        color = combine(stage, color, texel);
+    }
+    return color;
+}
+
+template <class Key>
+TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const Interpolator& at, uint32_t mask) {
+    const FragmentKey& k = key.value;
+    const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
+    Color color = primary_color(key, state, at, w);
+    if (k.texture == TextureKind::kModulateBilinearRgba8) color = modulate_bilinear(state, at, w, color);
+    if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, w, color, mask);
+    if (k.separate_specular) {
+        const int first = state.varyings.secondary;
+        color.r = color.r + at.varying(first) * w;
+        color.g = color.g + at.varying(first + 1) * w;
+        color.b = color.b + at.varying(first + 2) * w;
+    }
+    if (k.fog != FogMode::kNone) apply_fog(k.fog, state, at.varying(state.varyings.fog) * w, color);
+    return color;
+}
+
+template <class Key>
+TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Primitive& primitive, Bin& bin,
+                                 const TileList& list) {
+    const FragmentKey& k = key.value;
+    Interpolator at(primitive);
+    // Without an alpha test nothing between coverage and the depth test can discard, so the test comes first.
+    const bool early = k.alpha_func == Compare::kAlways;
+    for (int i = 0; i < list.count; ++i) {
+        const int tile = list.entries[i].tile;
+        uint32_t mask = list.entries[i].mask;
+        const int x = bin.x + tile % kTilesAcross * kTileSize, y = bin.y + tile / kTilesAcross * kTileSize;
+        at.move_to(x, y);
+        if (k.polygon_stipple) {
+            const int up = state.target_height_for_stipple;
+            mask &= up > 0 ? stipple_mask(state.polygon_stipple, x, up - 1 - y, -1) : stipple_mask(state.polygon_stipple, x, y, 1);
+            if (mask == 0) continue;
+        }
+        if (early && (k.depth_test || k.stencil_test)) {
+            mask = depth_stencil_test(key, state, primitive, at, bin, tile, mask);
+            if (mask == 0) continue;
+        }
+        if (early && k.color_mask == 0) continue;
+        const Color color = shade_fragment(key, state, at, mask);
+        if (!early) {
+            mask &= bits_of(alpha_test(k.alpha_func, state, k.color_format, color.a));
+            if (mask == 0) continue;
+            if (k.depth_test || k.stencil_test) {
+                mask = depth_stencil_test(key, state, primitive, at, bin, tile, mask);
+                if (mask == 0) continue;
+            }
+        }
+        write_color(key, state, color, mask, bin, tile);
+    }
+}
+
+}  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -1,0 +1,46 @@
+// A primitive after set-up: a convex polygon of up to four edges within a pixel rectangle, with one plane a varying.
+//
+// Written by src/pipeline/setup, read by the traversal and the pixel kernels; plain data in the frame's memory. The
+// header is followed by 3 * (2 + varyings.count) floats, rounded up to 16 bytes: a0 of every plane, then d/dx of
+// every plane, then d/dy. Plane 0 is z, plane 1 is 1/w, then the varyings (multiplied by 1/w where perspective).
+#pragma once
+
+#include <cstdint>
+
+#include "raster/state.h"
+
+namespace terrazzo::raster {
+
+// The half plane E(x, y) = c + step_x * x + step_y * y >= 0 over pixel coordinates x, y: the pixel centre is inside. Fixed
+// point with 8 sub-pixel bits; the fill rule is folded into c, and c has been divided by 256 (rounded down), which does
+// not move the sign at any pixel because a step by one pixel changes E by a multiple of 256 sub-pixel units.
+struct Edge {
+    int64_t c;
+    int32_t step_x;  // E(x + 1, y) - E(x, y)
+    int32_t step_y;
+};
+
+struct Primitive {
+    const FragmentState* state;
+    int16_t x0, y0, x1, y1;  // pixels, x1 and y1 exclusive; already clipped to the scissor and the target
+    uint8_t edge_count;      // 0 (the whole rectangle), 3 or 4
+    uint8_t plane_count;     // 2 + varyings.count
+    bool back_facing;
+    uint8_t reserved;
+    float depth_offset;  // added to z of each fragment where the key says so
+    uint32_t reserved2;
+    Edge edges[4];
+
+    const float* a0() const { return reinterpret_cast<const float*>(this + 1); }
+    const float* dadx() const { return a0() + plane_count; }
+    const float* dady() const { return a0() + 2 * plane_count; }
+    float* planes() { return reinterpret_cast<float*>(this + 1); }
+
+    static constexpr uint32_t size_of(int plane_count) {
+        const uint32_t bytes = sizeof(Primitive) + 3u * sizeof(float) * static_cast<uint32_t>(plane_count);
+        return (bytes + 15u) & ~15u;
+    }
+};
+static_assert(sizeof(Primitive) == 96);
+
+}  // namespace terrazzo::raster

@@ -1,0 +1,175 @@
+// What a fragment goes through, as plain data: made by src/gl/validate.cpp, kept by the frame while draws are queued,
+// read by the pixel kernels. No GL enumerants here or below.
+//
+// FragmentKey holds every choice that selects code; FragmentState holds the key and the numbers. A kernel is either
+// an instance of the templates in pixel/ for one constant key or the general one that reads the key as it runs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace terrazzo::raster {
+
+inline constexpr int kMaxTextureUnits = 8;
+inline constexpr int kMaxMipLevels = 15;
+
+enum class Compare : uint8_t { kNever, kLess, kEqual, kLessEqual, kGreater, kNotEqual, kGreaterEqual, kAlways };
+
+enum class StencilOp : uint8_t { kKeep, kZero, kReplace, kIncrement, kDecrement, kInvert, kIncrementWrap, kDecrementWrap };
+
+enum class BlendFactor : uint8_t {
+    kZero,
+    kOne,
+    kSourceColor,
+    kOneMinusSourceColor,
+    kDestinationColor,
+    kOneMinusDestinationColor,
+    kSourceAlpha,
+    kOneMinusSourceAlpha,
+    kDestinationAlpha,
+    kOneMinusDestinationAlpha,
+    kConstantColor,
+    kOneMinusConstantColor,
+    kConstantAlpha,
+    kOneMinusConstantAlpha,
+    kSourceAlphaSaturate,
+};
+
+enum class BlendEquation : uint8_t { kAdd, kSubtract, kReverseSubtract, kMin, kMax };
+
+// The 16 operations of GL 1.5 table 4.2, numbered by their truth table: bit (2*s + d) is the result for bits s, d.
+using LogicOp = uint8_t;
+inline constexpr LogicOp kLogicCopy = 0b1100;
+
+enum class FogMode : uint8_t { kNone, kLinear, kExp, kExp2 };
+
+enum class EnvMode : uint8_t { kModulate, kReplace, kDecal, kBlend, kAdd };
+
+// Which channels a texture's base internal format has (GL 1.5 table 3.15).
+enum class BaseFormat : uint8_t { kAlpha, kLuminance, kLuminanceAlpha, kIntensity, kRgb, kRgba };
+
+enum class Wrap : uint8_t { kRepeat, kClamp, kClampToEdge, kClampToBorder, kMirroredRepeat };
+enum class Filter : uint8_t { kNearest, kLinear };
+enum class MipFilter : uint8_t { kNone, kNearest, kLinear };
+
+// How texels lie in memory: four bytes R, G, B, A, or four floats.
+enum class TexelFormat : uint8_t { kRgba8, kRgba32F };
+
+// How colour lies in a tile: see Target.
+enum class ColorFormat : uint8_t { kRgba8, kRgb565, kRgba16, kRgba32F };
+
+struct MipLevel {
+    const void* texels = nullptr;  // rows from low t to high; readable 64 bytes before and past
+    int32_t width = 0;             // texels
+    int32_t height = 0;
+    int32_t pitch = 0;  // texels from row to row
+};
+
+struct Sampler {
+    TexelFormat texel_format = TexelFormat::kRgba8;
+    uint8_t dimensions = 2;  // 1 or 2
+    Wrap wrap_s = Wrap::kRepeat;
+    Wrap wrap_t = Wrap::kRepeat;
+    Filter min_filter = Filter::kNearest;
+    Filter mag_filter = Filter::kLinear;
+    MipFilter mip_filter = MipFilter::kNone;
+    uint8_t level_count = 1;
+    float lod_bias = 0, min_lod = -1000, max_lod = 1000;
+    float border_color[4] = {};
+    std::array<MipLevel, kMaxMipLevels> levels;
+};
+
+struct TextureStage {
+    Sampler sampler;
+    EnvMode mode = EnvMode::kModulate;
+    BaseFormat base_format = BaseFormat::kRgba;
+    float env_color[4] = {};
+};
+
+// What runs in place of a general texture stage in a specialised kernel.
+enum class TextureKind : uint8_t {
+    kNone,
+    kGeneral,                // any number of units, each described by FragmentState::textures
+    kModulateBilinearRgba8,  // one 2D unit, REPEAT, LINEAR without mip levels, MODULATE of an RGB or RGBA texture
+};
+
+enum class BlendKind : uint8_t {
+    kNone,
+    kGeneral,
+    kAlpha,     // SRC_ALPHA, ONE_MINUS_SRC_ALPHA
+    kAdditive,  // ONE, ONE
+};
+
+// Every choice that selects code. A structural type, so that a constant one can be a template argument.
+struct FragmentKey {
+    ColorFormat color_format = ColorFormat::kRgba8;
+    uint8_t color_mask = 0xf;  // bit 0 red ... bit 3 alpha
+    bool depth_test = false;
+    bool depth_write = false;
+    Compare depth_func = Compare::kLess;
+    bool depth_offset = false;
+    bool stencil_test = false;
+    Compare alpha_func = Compare::kAlways;
+    FogMode fog = FogMode::kNone;
+    BlendKind blend = BlendKind::kNone;
+    bool logic_op = false;
+    bool polygon_stipple = false;
+    bool perspective = true;           // some 1/w of the draw is not 1
+    bool interpolated_color = true;    // otherwise FragmentState::constant_color
+    bool separate_specular = false;    // a secondary colour is added after texturing
+    TextureKind texture = TextureKind::kNone;
+
+    friend constexpr bool operator==(const FragmentKey&, const FragmentKey&) = default;
+};
+
+struct StencilFace {
+    Compare func = Compare::kAlways;
+    uint8_t reference = 0, compare_mask = 0xff, write_mask = 0xff;
+    StencilOp fail = StencilOp::kKeep, depth_fail = StencilOp::kKeep, pass = StencilOp::kKeep;
+};
+
+// Where each varying stands among a primitive's planes, counted in planes; -1 where it is absent.
+struct Varyings {
+    int8_t color = -1;                                // 4 planes r g b a
+    int8_t secondary = -1;                            // 3 planes
+    int8_t fog = -1;                                  // 1 plane: the distance
+    std::array<int8_t, kMaxTextureUnits> texture{};   // 2 planes s t, or 4 planes s t r q
+    uint8_t projective = 0;                           // bit u: unit u has 4 planes and divides by q
+    uint8_t count = 0;                                // planes in all, without z and 1/w
+
+    constexpr Varyings() { texture.fill(-1); }
+};
+
+struct FragmentState;
+struct Primitive;
+struct Bin;
+struct TileList;
+// Shades the tiles of `list` that `primitive` covers in `bin`.
+using TileKernel = void (*)(const FragmentState&, const Primitive& primitive, Bin& bin, const TileList& list);
+
+struct FragmentState {
+    FragmentKey key;
+    Varyings varyings;
+    TileKernel kernel = nullptr;
+    uint8_t texture_count = 0;  // active units, packed to the front of `textures`
+    uint8_t depth_bits = 24;
+    bool has_destination_alpha = true;
+
+    float constant_color[4] = {1, 1, 1, 1};
+    float alpha_reference = 0;
+    float fog_color[4] = {};
+    float fog_density = 1, fog_start = 0, fog_end = 1;
+    BlendFactor blend_source_rgb = BlendFactor::kOne, blend_source_alpha = BlendFactor::kOne;
+    BlendFactor blend_destination_rgb = BlendFactor::kZero, blend_destination_alpha = BlendFactor::kZero;
+    BlendEquation blend_equation_rgb = BlendEquation::kAdd, blend_equation_alpha = BlendEquation::kAdd;
+    float blend_color[4] = {};
+    LogicOp logic_op = kLogicCopy;
+    StencilFace stencil[2];  // front, back
+    const uint32_t* polygon_stipple = nullptr;  // 32 rows from the bottom, bit 31 leftmost; lives in the frame
+    int32_t target_height_for_stipple = 0;      // of a target whose row 0 is the top; 0 where row 0 is the bottom
+
+    std::array<TextureStage, kMaxTextureUnits> textures;
+};
+
+}  // namespace terrazzo::raster

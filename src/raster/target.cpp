@@ -1,0 +1,75 @@
+// Memory of a render target and its deferred clears; the layout is explained in target.h.
+#include "raster/target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "raster/color_format.h"
+
+namespace terrazzo::raster {
+
+void Target::FreeDeleter::operator()(void* memory) const { std::free(memory); }
+
+template <class T>
+Target::Plane<T> Target::allocate_plane(size_t count) {
+    if (count == 0) return nullptr;
+    void* const memory = std::aligned_alloc(64, (count * sizeof(T) + 63) & ~size_t{63});
+    if (memory == nullptr) throw std::bad_alloc();
+    return Plane<T>(static_cast<T*>(memory));
+}
+
+Target::Target(int width, int height, TargetFormat format)
+    : m_width(width),
+      m_height(height),
+      m_bins_across((width + kBinSize - 1) / kBinSize),
+      m_bins_up((height + kBinSize - 1) / kBinSize),
+      m_format(format) {
+    const size_t pixels = static_cast<size_t>(bin_count()) * kBinPixels;
+    m_color = allocate_plane<std::byte>(pixels * static_cast<size_t>(bytes_per_pixel(format.color)));
+    m_depth = allocate_plane<uint32_t>(format.depth_bits != 0 ? pixels : 0);
+    m_stencil = allocate_plane<uint8_t>(format.stencil_bits != 0 ? pixels : 0);
+    m_states.resize(static_cast<size_t>(bin_count()));
+    for (int i = 0; i < bin_count(); ++i) clear_bin(i, {true, true, true}, {});
+}
+
+Bin Target::bin(int index) {
+    const size_t first = static_cast<size_t>(index) * kBinPixels;
+    return {m_color.get() + first * static_cast<size_t>(bytes_per_pixel(m_format.color)),
+            m_depth ? m_depth.get() + first : nullptr,
+            m_stencil ? m_stencil.get() + first : nullptr,
+            index % m_bins_across * kBinSize,
+            index / m_bins_across * kBinSize,
+            &state(index)};
+}
+
+void Target::clear_bin(int index, ClearPlanes planes, const ClearValues& values) {
+    BinState& bin = state(index);
+    if (planes.color) {
+        bin.pending.color = true;
+        std::copy_n(values.color, 4, bin.clear.color);
+    }
+    if (planes.depth && m_depth) {
+        bin.pending.depth = true;
+        bin.clear.depth = values.depth;
+        bin.farthest = values.depth;
+    }
+    if (planes.stencil && m_stencil) {
+        bin.pending.stencil = true;
+        bin.clear.stencil = values.stencil;
+    }
+}
+
+void Target::materialize(int index) {
+    BinState& info = state(index);
+    if (!info.pending.color && !info.pending.depth && !info.pending.stencil) return;
+    const Bin planes = bin(index);
+    if (info.pending.color) fill_color(m_format.color, info.clear.color, planes.color, kBinPixels);
+    if (info.pending.depth) std::fill_n(planes.depth, kBinPixels, info.clear.depth);
+    if (info.pending.stencil) std::memset(planes.stencil, info.clear.stencil, kBinPixels);
+    info.pending = {};
+}
+
+}  // namespace terrazzo::raster

@@ -1,0 +1,113 @@
+// A render target: colour, depth and stencil in two-level tiles [Frolov 2020 §3, row R-13].
+//
+// Row 0 is the first row in memory: the top of a window, the bottom of a frame buffer object, as the reference has it
+// (it decides how vertices snap). The target is cut into bins of 64x64 pixels, row by row; a bin's planes are contiguous, its 4x4
+// tiles follow one another row by row, the 16 pixels of a tile likewise. Colour is what ColorFormat says, depth is one
+// uint32 a pixel holding depth_bits significant bits (whatever their number), stencil one byte a pixel.
+// A clear of the whole target only marks its bins; a bin is filled when it is first touched.
+// Not synchronised: at any time a bin belongs to one thread, and the target's owner keeps readers and frames apart.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "raster/state.h"
+
+namespace terrazzo::raster {
+
+inline constexpr int kTileSize = 4;
+inline constexpr int kTilePixels = kTileSize * kTileSize;
+inline constexpr int kBinSize = 64;
+inline constexpr int kBinPixels = kBinSize * kBinSize;
+inline constexpr int kBinTiles = kBinPixels / kTilePixels;
+inline constexpr int kTilesAcross = kBinSize / kTileSize;
+
+constexpr int bytes_per_pixel(ColorFormat format) {
+    switch (format) {
+        case ColorFormat::kRgba8: return 4;
+        case ColorFormat::kRgb565: return 2;
+        case ColorFormat::kRgba16: return 8;
+        case ColorFormat::kRgba32F: return 16;
+    }
+    return 0;
+}
+
+// Index of a pixel within its bin's planes, for 0 <= x, y < 64.
+constexpr int pixel_index(int x, int y) {
+    return ((y >> 2) * kTilesAcross + (x >> 2)) * kTilePixels + (y & 3) * kTileSize + (x & 3);
+}
+
+struct ClearValues {
+    float color[4] = {};
+    uint32_t depth = 0;  // in the target's depth format
+    uint8_t stencil = 0;
+};
+
+// Which planes a clear touches.
+struct ClearPlanes {
+    bool color = false, depth = false, stencil = false;
+};
+
+struct TargetFormat {
+    ColorFormat color = ColorFormat::kRgba8;
+    bool has_alpha = true;
+    uint8_t depth_bits = 24;   // 0, 16, 24 (or 32: the bits of a float, later)
+    uint8_t stencil_bits = 8;  // 0 or 8
+
+    friend bool operator==(const TargetFormat&, const TargetFormat&) = default;
+};
+
+// What is known of a bin besides its pixels.
+struct BinState {
+    ClearPlanes pending;  // planes still to be filled with `clear`
+    ClearValues clear;
+    uint32_t farthest = UINT32_MAX;  // no pixel's depth is above this
+};
+
+// One bin of a target as the kernels see it.
+struct Bin {
+    std::byte* color;
+    uint32_t* depth;
+    uint8_t* stencil;
+    int x, y;  // of its first pixel
+    BinState* state;
+};
+
+class Target {
+  public:
+    // Throws std::bad_alloc. 1 <= width, height <= 16384.
+    Target(int width, int height, TargetFormat format);
+
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    int bins_across() const { return m_bins_across; }
+    int bin_count() const { return m_bins_across * m_bins_up; }
+    const TargetFormat& format() const { return m_format; }
+
+    Bin bin(int index);
+    // Marks the planes of one bin as cleared.
+    void clear_bin(int index, ClearPlanes planes, const ClearValues& values);
+    // Fills what is still to be cleared, so that the planes hold what GL says they hold.
+    void materialize(int index);
+    BinState& state(int index) { return m_states[static_cast<size_t>(index)]; }
+
+  private:
+    struct FreeDeleter {
+        void operator()(void* memory) const;
+    };
+    template <class T>
+    using Plane = std::unique_ptr<T[], FreeDeleter>;
+    template <class T>
+    static Plane<T> allocate_plane(size_t count);
+
+    int m_width, m_height, m_bins_across, m_bins_up;
+    TargetFormat m_format;
+    Plane<std::byte> m_color;
+    Plane<uint32_t> m_depth;
+    Plane<uint8_t> m_stencil;
+    std::vector<BinState> m_states;
+};
+
+}  // namespace terrazzo::raster

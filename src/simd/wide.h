@@ -1,0 +1,302 @@
+// Sixteen lanes at a time: value types over Google Highway for code that is compiled once per instruction set.
+//
+// F32x16, I32x16 and Mask16 hold one lane per pixel of a 4x4 tile, or per vertex or triangle of a batch; they are
+// made of as many native vectors as the instruction set needs (one on AVX-512, sixteen scalars on none). Nothing
+// here fuses, approximates or reassociates: every instruction set computes the same bits (promise P3).
+//
+// A file that includes this is compiled by src/meson.build once per instruction set, with TERRAZZO_ISA naming it, and
+// keeps all its code in namespace TERRAZZO_ISA_NAMESPACE so that no two compilations share a symbol.
+#pragma once
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+#include <cstring>
+
+#ifndef TERRAZZO_ISA
+#error "compile per instruction set: see src/meson.build"
+#endif
+
+#define TERRAZZO_CONCAT_(a, b) a##b
+#define TERRAZZO_CONCAT(a, b) TERRAZZO_CONCAT_(a, b)
+#define TERRAZZO_ISA_NAMESPACE TERRAZZO_CONCAT(isa_, TERRAZZO_ISA)
+#define TERRAZZO_INLINE inline __attribute__((always_inline))
+#define TERRAZZO_FOR_PARTS _Pragma("GCC unroll 16") for (int p = 0; p < kParts; ++p)
+
+namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_SCALAR
+inline constexpr int kNativeLanes = 1;
+#else
+inline constexpr int kNativeLanes = HWY_LANES(float) < 16 ? HWY_LANES(float) : 16;
+#endif
+inline constexpr int kParts = 16 / kNativeLanes;
+
+using TagF = hn::CappedTag<float, kNativeLanes>;
+using TagI = hn::CappedTag<int32_t, kNativeLanes>;
+using TagU = hn::CappedTag<uint32_t, kNativeLanes>;
+using NativeF = hn::Vec<TagF>;
+using NativeI = hn::Vec<TagI>;
+using NativeMask = hn::Mask<TagF>;
+
+struct Mask16 {
+    NativeMask part[kParts];
+};
+
+struct F32x16 {
+    NativeF part[kParts];
+
+    F32x16() = default;
+    TERRAZZO_INLINE F32x16(float value) { TERRAZZO_FOR_PARTS part[p] = hn::Set(TagF(), value); }
+};
+
+struct I32x16 {
+    NativeI part[kParts];
+
+    I32x16() = default;
+    TERRAZZO_INLINE I32x16(int32_t value) { TERRAZZO_FOR_PARTS part[p] = hn::Set(TagI(), value); }
+};
+
+#define TERRAZZO_BINARY(Type, name, operation)                              \
+    TERRAZZO_INLINE Type name(Type a, Type b) {                             \
+        Type r;                                                             \
+        TERRAZZO_FOR_PARTS r.part[p] = hn::operation(a.part[p], b.part[p]); \
+        return r;                                                           \
+    }
+TERRAZZO_BINARY(F32x16, operator+, Add)
+TERRAZZO_BINARY(F32x16, operator-, Sub)
+TERRAZZO_BINARY(F32x16, operator*, Mul)
+TERRAZZO_BINARY(F32x16, operator/, Div)
+TERRAZZO_BINARY(I32x16, operator+, Add)
+TERRAZZO_BINARY(I32x16, operator-, Sub)
+TERRAZZO_BINARY(I32x16, operator*, Mul)
+TERRAZZO_BINARY(I32x16, operator&, And)
+TERRAZZO_BINARY(I32x16, operator|, Or)
+TERRAZZO_BINARY(I32x16, operator^, Xor)
+TERRAZZO_BINARY(I32x16, min, Min)
+TERRAZZO_BINARY(I32x16, max, Max)
+TERRAZZO_BINARY(Mask16, operator&, And)
+TERRAZZO_BINARY(Mask16, operator|, Or)
+#undef TERRAZZO_BINARY
+
+#define TERRAZZO_COMPARE(Type, name, operation)                                                             \
+    TERRAZZO_INLINE Mask16 name(Type a, Type b) {                                                           \
+        Mask16 r;                                                                                           \
+        TERRAZZO_FOR_PARTS r.part[p] = hn::RebindMask(TagF(), hn::operation(a.part[p], b.part[p]));         \
+        return r;                                                                                           \
+    }
+TERRAZZO_COMPARE(F32x16, operator<, Lt)
+TERRAZZO_COMPARE(F32x16, operator<=, Le)
+TERRAZZO_COMPARE(F32x16, operator>, Gt)
+TERRAZZO_COMPARE(F32x16, operator>=, Ge)
+TERRAZZO_COMPARE(F32x16, operator==, Eq)
+TERRAZZO_COMPARE(F32x16, operator!=, Ne)
+TERRAZZO_COMPARE(I32x16, operator<, Lt)
+TERRAZZO_COMPARE(I32x16, operator>, Gt)
+TERRAZZO_COMPARE(I32x16, operator==, Eq)
+#undef TERRAZZO_COMPARE
+
+TERRAZZO_INLINE Mask16 operator~(Mask16 a) {
+    Mask16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Not(a.part[p]);
+    return r;
+}
+
+// The smaller (larger) of two floats; the second where either is NaN: x86's rule, kept on every instruction set.
+TERRAZZO_INLINE F32x16 min(F32x16 a, F32x16 b) {
+    F32x16 r;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Min(a.part[p], b.part[p]);
+#else
+    TERRAZZO_FOR_PARTS r.part[p] = hn::IfThenElse(hn::Lt(a.part[p], b.part[p]), a.part[p], b.part[p]);
+#endif
+    return r;
+}
+TERRAZZO_INLINE F32x16 max(F32x16 a, F32x16 b) {
+    F32x16 r;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Max(a.part[p], b.part[p]);
+#else
+    TERRAZZO_FOR_PARTS r.part[p] = hn::IfThenElse(hn::Gt(a.part[p], b.part[p]), a.part[p], b.part[p]);
+#endif
+    return r;
+}
+// Into [low, high]; NaN becomes `low`.
+TERRAZZO_INLINE F32x16 clamp(F32x16 v, F32x16 low, F32x16 high) { return min(max(v, low), high); }
+
+#define TERRAZZO_UNARY_F(name, operation)                        \
+    TERRAZZO_INLINE F32x16 name(F32x16 a) {                      \
+        F32x16 r;                                                \
+        TERRAZZO_FOR_PARTS r.part[p] = hn::operation(a.part[p]); \
+        return r;                                                \
+    }
+TERRAZZO_UNARY_F(operator-, Neg)
+TERRAZZO_UNARY_F(abs, Abs)
+TERRAZZO_UNARY_F(sqrt, Sqrt)
+TERRAZZO_UNARY_F(floor, Floor)
+#undef TERRAZZO_UNARY_F
+
+template <int kBits>
+TERRAZZO_INLINE I32x16 shift_left(I32x16 a) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::ShiftLeft<kBits>(a.part[p]);
+    return r;
+}
+// Arithmetic: the sign is kept.
+template <int kBits>
+TERRAZZO_INLINE I32x16 shift_right(I32x16 a) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::ShiftRight<kBits>(a.part[p]);
+    return r;
+}
+// Zeros come in at the top.
+template <int kBits>
+TERRAZZO_INLINE I32x16 shift_right_logical(I32x16 a) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] =
+        hn::BitCast(TagI(), hn::ShiftRight<kBits>(hn::BitCast(TagU(), a.part[p])));
+    return r;
+}
+
+TERRAZZO_INLINE F32x16 select(Mask16 mask, F32x16 yes, F32x16 no) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::IfThenElse(mask.part[p], yes.part[p], no.part[p]);
+    return r;
+}
+TERRAZZO_INLINE I32x16 select(Mask16 mask, I32x16 yes, I32x16 no) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] =
+        hn::IfThenElse(hn::RebindMask(TagI(), mask.part[p]), yes.part[p], no.part[p]);
+    return r;
+}
+
+// Loads and stores of 16 consecutive values; `_u` takes any alignment, the others 64 bytes.
+TERRAZZO_INLINE F32x16 load(const float* from) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Load(TagF(), from + p * kNativeLanes);
+    return r;
+}
+TERRAZZO_INLINE F32x16 load_u(const float* from) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::LoadU(TagF(), from + p * kNativeLanes);
+    return r;
+}
+TERRAZZO_INLINE I32x16 load(const int32_t* from) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Load(TagI(), from + p * kNativeLanes);
+    return r;
+}
+TERRAZZO_INLINE I32x16 load(const uint32_t* from) { return load(reinterpret_cast<const int32_t*>(from)); }
+TERRAZZO_INLINE I32x16 load_u(const int32_t* from) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::LoadU(TagI(), from + p * kNativeLanes);
+    return r;
+}
+TERRAZZO_INLINE void store(F32x16 v, float* to) {
+    TERRAZZO_FOR_PARTS hn::Store(v.part[p], TagF(), to + p * kNativeLanes);
+}
+TERRAZZO_INLINE void store(I32x16 v, int32_t* to) {
+    TERRAZZO_FOR_PARTS hn::Store(v.part[p], TagI(), to + p * kNativeLanes);
+}
+TERRAZZO_INLINE void store(I32x16 v, uint32_t* to) { store(v, reinterpret_cast<int32_t*>(to)); }
+// Stores the lanes of `mask`, leaves the others as they are in memory.
+TERRAZZO_INLINE void store_masked(Mask16 mask, I32x16 v, uint32_t* to) {
+    int32_t* const out = reinterpret_cast<int32_t*>(to);
+    TERRAZZO_FOR_PARTS hn::BlendedStore(v.part[p], hn::RebindMask(TagI(), mask.part[p]), TagI(),
+                                        out + p * kNativeLanes);
+}
+
+// base[index] a lane, index in elements.
+TERRAZZO_INLINE F32x16 gather(const float* base, I32x16 index) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::GatherIndex(TagF(), base, index.part[p]);
+    return r;
+}
+TERRAZZO_INLINE I32x16 gather(const int32_t* base, I32x16 index) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::GatherIndex(TagI(), base, index.part[p]);
+    return r;
+}
+
+TERRAZZO_INLINE F32x16 to_float(I32x16 a) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::ConvertTo(TagF(), a.part[p]);
+    return r;
+}
+// To the nearest integer, ties to even; |a| must be below 2^31 (the callers clamp).
+TERRAZZO_INLINE I32x16 round_to_int(F32x16 a) {
+    I32x16 r;
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] =
+        hn::Set(TagI(), static_cast<int32_t>(__builtin_rintf(hn::GetLane(a.part[p]))));
+#else
+    TERRAZZO_FOR_PARTS r.part[p] = hn::NearestInt(a.part[p]);
+#endif
+    return r;
+}
+// Towards zero; |a| must be below 2^31.
+TERRAZZO_INLINE I32x16 truncate_to_int(F32x16 a) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::ConvertTo(TagI(), a.part[p]);
+    return r;
+}
+TERRAZZO_INLINE I32x16 as_int(F32x16 a) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::BitCast(TagI(), a.part[p]);
+    return r;
+}
+TERRAZZO_INLINE F32x16 as_float(I32x16 a) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::BitCast(TagF(), a.part[p]);
+    return r;
+}
+
+// Bit i of the result is lane i.
+TERRAZZO_INLINE uint32_t bits_of(Mask16 mask) {
+#if HWY_TARGET == HWY_SCALAR
+    uint32_t bits = 0;
+    TERRAZZO_FOR_PARTS bits |= (mask.part[p].bits ? 1u : 0u) << p;
+    return bits;
+#elif HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+    return mask.part[0].raw;
+#else
+    uint32_t bits = 0;
+    TERRAZZO_FOR_PARTS {
+        uint8_t bytes[8] = {};
+        hn::StoreMaskBits(TagF(), mask.part[p], bytes);
+        bits |= static_cast<uint32_t>(bytes[0]) << (p * kNativeLanes);
+    }
+    return bits;
+#endif
+}
+TERRAZZO_INLINE Mask16 mask_from_bits(uint32_t bits) {
+    Mask16 r;
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Mask1<float>::FromBool((bits >> p & 1) != 0);
+#elif HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+    r.part[0].raw = static_cast<__mmask16>(bits);
+#else
+    TERRAZZO_FOR_PARTS {
+        const uint8_t bytes[8] = {
+            static_cast<uint8_t>(bits >> (p * kNativeLanes) & ((1u << kNativeLanes) - 1))};
+        r.part[p] = hn::LoadMaskBits(TagF(), bytes);
+    }
+#endif
+    return r;
+}
+TERRAZZO_INLINE bool any(Mask16 mask) { return bits_of(mask) != 0; }
+// Bit i is set where lane i is negative.
+TERRAZZO_INLINE uint32_t sign_bits(I32x16 v) { return bits_of(v < I32x16(0)); }
+
+// 0, 1, 2, ... 15.
+TERRAZZO_INLINE I32x16 lane_numbers() {
+    alignas(64) static constexpr int32_t kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    return load(kNumbers);
+}
+// Column and row of each lane in a 4x4 tile.
+TERRAZZO_INLINE I32x16 lane_x() { return lane_numbers() & I32x16(3); }
+TERRAZZO_INLINE I32x16 lane_y() { return shift_right<2>(lane_numbers()); }
+
+}  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE
