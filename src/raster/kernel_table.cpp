@@ -11,9 +11,7 @@
     }
 
 namespace terrazzo {
-#ifdef TERRAZZO_HAVE_SCALAR
 TERRAZZO_DECLARE_ISA(scalar)
-#endif
 #ifdef TERRAZZO_HAVE_SSE4
 TERRAZZO_DECLARE_ISA(sse4)
 #endif
@@ -32,39 +30,32 @@ namespace terrazzo::raster {
 
 namespace {
 
-struct Compiled {
-    simd::Isa isa;
-    const KernelTable* table;
-};
-
 // Best first.
-constexpr Compiled kCompiled[] = {
+constexpr const KernelTable* kCompiled[] = {
 #ifdef TERRAZZO_HAVE_AVX512
-    {simd::Isa::kAvx512, &isa_avx512::kKernelTable},
+    &isa_avx512::kKernelTable,
 #endif
 #ifdef TERRAZZO_HAVE_AVX2
-    {simd::Isa::kAvx2, &isa_avx2::kKernelTable},
+    &isa_avx2::kKernelTable,
 #endif
 #ifdef TERRAZZO_HAVE_SSE4
-    {simd::Isa::kSse4, &isa_sse4::kKernelTable},
+    &isa_sse4::kKernelTable,
 #endif
 #ifdef TERRAZZO_HAVE_NEON
-    {simd::Isa::kNeon, &isa_neon::kKernelTable},
+    &isa_neon::kKernelTable,
 #endif
-#ifdef TERRAZZO_HAVE_SCALAR
-    {simd::Isa::kScalar, &isa_scalar::kKernelTable},
-#endif
+    &isa_scalar::kKernelTable,
 };
 
 const KernelTable& choose() {
-    simd::Isa wanted;
+    simd::Isa wanted = simd::Isa::kScalar;
     const char* const name = std::getenv("TERRAZZO_ISA");
     const bool forced = name != nullptr && simd::parse_isa(name, wanted);
-    for (const Compiled& c : kCompiled)
-        if (forced && c.isa == wanted && simd::processor_has(c.isa)) return *c.table;
-    for (const Compiled& c : kCompiled)
-        if (simd::processor_has(c.isa)) return *c.table;
-    return *kCompiled[std::size(kCompiled) - 1].table;
+    for (const KernelTable* table : kCompiled)
+        if (forced && table->isa == wanted && simd::processor_has(wanted)) return *table;
+    for (const KernelTable* table : kCompiled)
+        if (simd::processor_has(table->isa)) return *table;
+    return isa_scalar::kKernelTable;
 }
 
 }  // namespace
@@ -79,8 +70,8 @@ std::span<const KernelTable* const> compiled_kernels() {
         const KernelTable* tables[std::size(kCompiled)];
         size_t count = 0;
         Runnable() {
-            for (const Compiled& c : kCompiled)
-                if (simd::processor_has(c.isa)) tables[count++] = c.table;
+            for (const KernelTable* table : kCompiled)
+                if (simd::processor_has(table->isa)) tables[count++] = table;
         }
     } runnable;
     return {runnable.tables, runnable.count};

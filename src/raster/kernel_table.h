@@ -7,6 +7,7 @@
 
 #include "raster/primitive.h"
 #include "raster/target.h"
+#include "simd/isa.h"
 
 namespace terrazzo::raster {
 
@@ -27,7 +28,7 @@ struct BinClear {
 };
 
 struct KernelTable {
-    const char* name;
+    simd::Isa isa;
     // The kernel for a key: a specialised one where there is one, else the general one.
     TileKernel (*select_kernel)(const FragmentKey&);
     // Draws one primitive into one bin, whose planes are materialised.

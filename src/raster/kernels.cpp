@@ -70,6 +70,6 @@ void draw_primitive(const Primitive& primitive, Bin& bin) {
 }  // namespace
 
 extern const KernelTable kKernelTable;
-const KernelTable kKernelTable = {TERRAZZO_ISA_NAME, select_kernel, draw_primitive};
+const KernelTable kKernelTable = {simd::Isa::TERRAZZO_ISA_ENUM, select_kernel, draw_primitive};
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -152,7 +152,7 @@ struct FragmentState {
     FragmentKey key;
     Varyings varyings;
     TileKernel kernel = nullptr;
-    uint8_t texture_count = 0;  // active units, packed to the front of `textures`
+    uint8_t texture_count = 0;  // active units, in order
     uint8_t depth_bits = 24;
     bool has_destination_alpha = true;
 
@@ -169,7 +169,7 @@ struct FragmentState {
     const uint32_t* polygon_stipple = nullptr;  // 32 rows from the bottom, bit 31 leftmost; lives in the frame
     int32_t target_height_for_stipple = 0;      // of a target whose row 0 is the top; 0 where row 0 is the bottom
 
-    std::array<TextureStage, kMaxTextureUnits> textures;
+    const TextureStage* textures = nullptr;  // texture_count of them; in the frame's memory
 };
 
 }  // namespace terrazzo::raster

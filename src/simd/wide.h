@@ -125,6 +125,7 @@ TERRAZZO_INLINE F32x16 max(F32x16 a, F32x16 b) {
 }
 // Into [low, high]; NaN becomes `low`.
 TERRAZZO_INLINE F32x16 clamp(F32x16 v, F32x16 low, F32x16 high) { return min(max(v, low), high); }
+TERRAZZO_INLINE I32x16 clamp(I32x16 v, I32x16 low, I32x16 high) { return min(max(v, low), high); }
 
 #define TERRAZZO_UNARY_F(name, operation)                        \
     TERRAZZO_INLINE F32x16 name(F32x16 a) {                      \
@@ -298,5 +299,55 @@ TERRAZZO_INLINE I32x16 lane_numbers() {
 // Column and row of each lane in a 4x4 tile.
 TERRAZZO_INLINE I32x16 lane_x() { return lane_numbers() & I32x16(3); }
 TERRAZZO_INLINE I32x16 lane_y() { return shift_right<2>(lane_numbers()); }
+
+#if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
+using TagHalfF = hn::Half<TagF>;
+using TagHalfI = hn::Half<TagI>;
+using TagWide = hn::Rebind<double, TagHalfF>;
+#endif
+
+// What a fused multiply-add returns (but for one case in 2^29, where the sum in double falls half-way between floats):
+// the product is exact in double. The same on every instruction set, fused or not.
+TERRAZZO_INLINE F32x16 multiply_add_once_rounded(F32x16 a, F32x16 b, F32x16 c) {
+    F32x16 r;
+#if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
+    TERRAZZO_FOR_PARTS {
+        const auto wide = [](auto half) { return hn::PromoteTo(TagWide(), half); };
+        const auto low = hn::Add(hn::Mul(wide(hn::LowerHalf(TagHalfF(), a.part[p])), wide(hn::LowerHalf(TagHalfF(), b.part[p]))),
+                                 wide(hn::LowerHalf(TagHalfF(), c.part[p])));
+        const auto high = hn::Add(hn::Mul(wide(hn::UpperHalf(TagHalfF(), a.part[p])), wide(hn::UpperHalf(TagHalfF(), b.part[p]))),
+                                  wide(hn::UpperHalf(TagHalfF(), c.part[p])));
+        r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), high), hn::DemoteTo(TagHalfF(), low));
+    }
+#else
+    alignas(64) float x[16], y[16], z[16];
+    store(a, x), store(b, y), store(c, z);
+    for (int i = 0; i < 16; ++i) x[i] = static_cast<float>(static_cast<double>(x[i]) * y[i] + static_cast<double>(z[i]));
+    r = load(x);
+#endif
+    return r;
+}
+
+// a*b - c*d of integers below 2^25, with the right sign (zero included) and the precision of a float.
+TERRAZZO_INLINE F32x16 cross(I32x16 a, I32x16 b, I32x16 c, I32x16 d) {
+    F32x16 r;
+#if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
+    TERRAZZO_FOR_PARTS {
+        const auto low = [](NativeI v) { return hn::PromoteTo(TagWide(), hn::LowerHalf(TagHalfI(), v)); };
+        const auto high = [](NativeI v) { return hn::PromoteTo(TagWide(), hn::UpperHalf(TagHalfI(), v)); };
+        const auto l = hn::Sub(hn::Mul(low(a.part[p]), low(b.part[p])), hn::Mul(low(c.part[p]), low(d.part[p])));
+        const auto h = hn::Sub(hn::Mul(high(a.part[p]), high(b.part[p])), hn::Mul(high(c.part[p]), high(d.part[p])));
+        r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), h), hn::DemoteTo(TagHalfF(), l));
+    }
+#else
+    alignas(64) int32_t w[16], x[16], y[16], z[16];
+    alignas(64) float out[16];
+    store(a, w), store(b, x), store(c, y), store(d, z);
+    for (int i = 0; i < 16; ++i)
+        out[i] = static_cast<float>(static_cast<double>(int64_t{w[i]} * x[i] - int64_t{y[i]} * z[i]));
+    r = load(out);
+#endif
+    return r;
+}
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -14,47 +14,51 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 using namespace raster;
 
 #if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
+// Four doubles, one a column, in as many native vectors as it takes.
 inline constexpr int kNativeDoubles = HWY_LANES(double) < 4 ? HWY_LANES(double) : 4;
 using TagD = hn::CappedTag<double, kNativeDoubles>;
-using TagHalfF = hn::Rebind<float, TagD>;
+using TagDToF = hn::Rebind<float, TagD>;
+using Row = hn::Vec<hn::FixedTag<float, 4>>;
 
-// float(columns[i] + row) for the four columns, as one row of a tile.
-TERRAZZO_INLINE hn::Vec<hn::FixedTag<float, 4>> tile_row(const hn::Vec<TagD>* columns, double row) {
+// float(columns[i] + row) for the four columns.
+template <int kVectors>
+TERRAZZO_INLINE Row tile_row(const hn::Vec<TagD> (&columns)[kVectors], double row) {
     const hn::Vec<TagD> r = hn::Set(TagD(), row);
-    const auto low = hn::DemoteTo(TagHalfF(), hn::Add(columns[0], r));
-    if constexpr (kNativeDoubles == 4) {
+    const auto low = hn::DemoteTo(TagDToF(), hn::Add(columns[0], r));
+    if constexpr (kVectors == 1) {
         return low;
     } else {
-        return hn::Combine(hn::FixedTag<float, 4>(), hn::DemoteTo(TagHalfF(), hn::Add(columns[1], r)), low);
+        return hn::Combine(hn::FixedTag<float, 4>(), hn::DemoteTo(TagDToF(), hn::Add(columns[1], r)), low);
     }
+}
+
+TERRAZZO_INLINE F32x16 from_rows(Row row0, Row row1, Row row2, Row row3) {
+    F32x16 z;
+#if HWY_MAX_BYTES >= 64
+    using Tag8 = hn::FixedTag<float, 8>;
+    z.part[0] = hn::Combine(TagF(), hn::Combine(Tag8(), row3, row2), hn::Combine(Tag8(), row1, row0));
+#elif HWY_MAX_BYTES >= 32
+    z.part[0] = hn::Combine(TagF(), row1, row0);
+    z.part[1] = hn::Combine(TagF(), row3, row2);
+#else
+    z.part[0] = row0, z.part[1] = row1, z.part[2] = row2, z.part[3] = row3;
+#endif
+    return z;
 }
 #endif
 
-// z at the pixels of the tile whose lower left pixel is (x, y), before clamping.
+// z at the pixels of the tile whose first pixel is (x, y), before clamping.
 TERRAZZO_INLINE F32x16 interpolate_depth(float a0, float dadx, float dady, int x, int y) {
     const double slope_x = dadx, slope_y = dady;
 #if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
     hn::Vec<TagD> columns[4 / kNativeDoubles];
     for (int i = 0; i < 4 / kNativeDoubles; ++i) {
         const auto numbers = hn::Iota(TagD(), static_cast<double>(x + i * kNativeDoubles));
-        const auto exact = hn::Add(hn::Mul(numbers, hn::Set(TagD(), slope_x)), hn::Set(TagD(), a0));
-        columns[i] = hn::PromoteTo(TagD(), hn::DemoteTo(TagHalfF(), exact));
+        const auto exact = hn::Add(hn::Mul(numbers, hn::Set(TagD(), slope_x)), hn::Set(TagD(), static_cast<double>(a0)));
+        columns[i] = hn::PromoteTo(TagD(), hn::DemoteTo(TagDToF(), exact));
     }
-    const auto row0 = tile_row(columns, slope_y * y), row1 = tile_row(columns, slope_y * (y + 1));
-    const auto row2 = tile_row(columns, slope_y * (y + 2)), row3 = tile_row(columns, slope_y * (y + 3));
-    F32x16 z;
-    if constexpr (kNativeLanes == 4) {
-        z.part[0] = row0, z.part[1] = row1, z.part[2] = row2, z.part[3] = row3;
-    } else {
-        using Tag8 = hn::FixedTag<float, 8>;
-        const auto low = hn::Combine(Tag8(), row1, row0), high = hn::Combine(Tag8(), row3, row2);
-        if constexpr (kNativeLanes == 8) {
-            z.part[0] = low, z.part[1] = high;
-        } else {
-            z.part[0] = hn::Combine(TagF(), high, low);
-        }
-    }
-    return z;
+    return from_rows(tile_row(columns, slope_y * y), tile_row(columns, slope_y * (y + 1)),
+                     tile_row(columns, slope_y * (y + 2)), tile_row(columns, slope_y * (y + 3)));
 #else
     alignas(64) float z[16];
     for (int i = 0; i < 4; ++i) {

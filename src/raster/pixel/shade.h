@@ -53,7 +53,7 @@ TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interp
 
 inline Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w, Color color, uint32_t mask) {
     for (int unit = 0; unit < state.texture_count; ++unit) {
-        const TextureStage& stage = state.textures[static_cast<size_t>(unit)];
+        const TextureStage& stage = state.textures[unit];
         const int first = state.varyings.texture[static_cast<size_t>(unit)];
         const F32x16 scale = state.varyings.projective >> unit & 1 ? F32x16(1.0f) / at.varying(first + 3) : w;
         const Color texel = sample_texture(stage.sampler, at.varying(first) * scale, at.varying(first + 1) * scale, mask);

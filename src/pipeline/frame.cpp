@@ -1,0 +1,139 @@
+// Bin lists of a frame, and what drawing one bin means.
+#include "pipeline/frame.h"
+
+#include <algorithm>
+#include <new>
+
+#include "pipeline/workers.h"
+#include "raster/clear.h"
+
+namespace terrazzo::pipeline {
+
+using raster::BinClear;
+using raster::kBinSize;
+using raster::Primitive;
+
+namespace {
+
+constexpr uintptr_t kClearTag = 1;
+
+// Whether some edge has the whole bin outside: its value at the bin's most favourable pixel is negative.
+bool outside_bin(const Primitive& primitive, int bin_x, int bin_y) {
+    for (int e = 0; e < primitive.edge_count; ++e) {
+        const raster::Edge& edge = primitive.edges[e];
+        const int64_t x = bin_x + (edge.step_x > 0 ? kBinSize - 1 : 0);
+        const int64_t y = bin_y + (edge.step_y > 0 ? kBinSize - 1 : 0);
+        if (edge.c + edge.step_x * x + edge.step_y * y < 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void Arena::next_block() {
+    if (m_used_blocks == m_blocks.size()) m_blocks.push_back(std::make_unique_for_overwrite<std::byte[]>(kBlockSize));
+    m_next = m_blocks[m_used_blocks++].get();
+    m_left = kBlockSize;
+}
+
+void Arena::reset() {
+    // A frame like the last one finds its blocks; twice as many would be an old peak.
+    const size_t wanted = std::max<size_t>(2 * m_used_blocks, 4);
+    if (m_blocks.size() > wanted) m_blocks.resize(wanted);
+    m_used_blocks = 0;
+    m_left = 0;
+    m_next = nullptr;
+}
+
+void Frame::begin(std::shared_ptr<raster::Target> target) {
+    draw();
+    m_target = std::move(target);
+    m_bins.assign(m_target ? static_cast<size_t>(m_target->bin_count()) : 0, {});
+}
+
+void Frame::push(int bin, uintptr_t command) {
+    BinList& list = m_bins[static_cast<size_t>(bin)];
+    if (list.last == nullptr || list.last->count == std::size(list.last->commands)) {
+        Chunk* const chunk = new (m_arena.allocate(sizeof(Chunk))) Chunk;
+        chunk->next = nullptr;
+        chunk->count = 0;
+        (list.last ? list.last->next : list.first) = chunk;
+        list.last = chunk;
+    }
+    list.last->commands[list.last->count++] = command;
+    ++m_commands;
+}
+
+void Frame::add(const Primitive& primitive) {
+    const int across = m_target->bins_across();
+    const int first_column = primitive.x0 / kBinSize, last_column = (primitive.x1 - 1) / kBinSize;
+    const int first_row = primitive.y0 / kBinSize, last_row = (primitive.y1 - 1) / kBinSize;
+    const uintptr_t command = reinterpret_cast<uintptr_t>(&primitive);
+    const bool test = last_column - first_column + last_row - first_row > 1;
+    for (int row = first_row; row <= last_row; ++row) {
+        for (int column = first_column; column <= last_column; ++column) {
+            if (test && outside_bin(primitive, column * kBinSize, row * kBinSize)) continue;
+            push(row * across + column, command);
+        }
+    }
+}
+
+void Frame::add(const BinClear& clear) {
+    if (clear.x0 >= clear.x1 || clear.y0 >= clear.y1) return;
+    BinClear* const kept = new (m_arena.allocate(sizeof(BinClear))) BinClear(clear);
+    const uintptr_t command = reinterpret_cast<uintptr_t>(kept) | kClearTag;
+    const raster::TargetFormat& format = m_target->format();
+    const bool everything = clear.planes.color && (clear.planes.depth || format.depth_bits == 0) &&
+                            (clear.planes.stencil || format.stencil_bits == 0);
+    const int across = m_target->bins_across();
+    for (int row = clear.y0 / kBinSize; row <= (clear.y1 - 1) / kBinSize; ++row) {
+        for (int column = clear.x0 / kBinSize; column <= (clear.x1 - 1) / kBinSize; ++column) {
+            const int bin = row * across + column;
+            if (everything && raster::clears_whole_bin(clear, *m_target, column * kBinSize, row * kBinSize))
+                m_bins[static_cast<size_t>(bin)] = {};  // what was to be drawn here will not be seen
+            push(bin, command);
+        }
+    }
+}
+
+void Frame::draw_bin(int index) const {
+    const BinList& list = m_bins[static_cast<size_t>(index)];
+    raster::Bin bin = m_target->bin(index);
+    const auto draw = raster::kernels().draw_primitive;
+    for (const Chunk* chunk = list.first; chunk != nullptr; chunk = chunk->next) {
+        for (uint32_t i = 0; i < chunk->count; ++i) {
+            const uintptr_t command = chunk->commands[i];
+            if (command & kClearTag) {
+                raster::clear_bin(*reinterpret_cast<const BinClear*>(command & ~kClearTag), *m_target, index);
+            } else {
+                m_target->materialize(index);
+                draw(*reinterpret_cast<const Primitive*>(command), bin);
+            }
+        }
+    }
+}
+
+void Frame::draw() {
+    if (m_commands != 0) {
+        std::vector<int> bins;
+        for (size_t i = 0; i < m_bins.size(); ++i)
+            if (m_bins[i].first != nullptr) bins.push_back(static_cast<int>(i));
+        // A handful of commands is drawn sooner than a thread wakes up.
+        constexpr size_t kFewCommands = 32;
+        if (m_commands <= kFewCommands) {
+            for (const int bin : bins) draw_bin(bin);
+        } else {
+            run_parallel(static_cast<int>(bins.size()), [&](int i) { draw_bin(bins[static_cast<size_t>(i)]); });
+        }
+    }
+    reset();
+}
+
+void Frame::reset() {
+    std::fill(m_bins.begin(), m_bins.end(), BinList{});
+    m_kept.clear();
+    m_arena.reset();
+    m_commands = 0;
+}
+
+}  // namespace terrazzo::pipeline

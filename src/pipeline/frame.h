@@ -1,0 +1,96 @@
+// A frame: the draws and clears that wait for their pixels, sorted into bins (sort-middle, [Frolov 2020 §2.2.2], row R-11).
+//
+// Set-up primitives, fragment states and bin lists live in the frame's arena; images that they refer to are kept alive
+// by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in the order of its list.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "raster/kernel_table.h"
+#include "raster/primitive.h"
+#include "raster/target.h"
+
+namespace terrazzo::pipeline {
+
+// Memory that is handed out in order and taken back all at once.
+class Arena {
+  public:
+    static constexpr size_t kBlockSize = 256 * 1024;
+
+    // 16-byte aligned; throws std::bad_alloc. At most kBlockSize bytes.
+    void* allocate(size_t bytes) {
+        bytes = (bytes + 15) & ~size_t{15};
+        if (bytes > m_left) next_block();
+        std::byte* const memory = m_next;
+        m_next += bytes;
+        m_left -= bytes;
+        return memory;
+    }
+    size_t used_bytes() const { return m_used_blocks * kBlockSize; }
+    // Takes everything back; blocks are kept for the next frame, but no more than the last ones needed.
+    void reset();
+
+  private:
+    void next_block();
+
+    std::vector<std::unique_ptr<std::byte[]>> m_blocks;
+    size_t m_used_blocks = 0;
+    std::byte* m_next = nullptr;
+    size_t m_left = 0;
+};
+
+class Frame {
+  public:
+    // What a frame may hold before it has to be drawn: two of them and their blocks stay far below 256 MB.
+    static constexpr size_t kMaxBytes = 64u << 20;
+
+    // Draws what is queued, then begins anew on `target`.
+    void begin(std::shared_ptr<raster::Target> target);
+    const std::shared_ptr<raster::Target>& target() const { return m_target; }
+
+    bool empty() const { return m_commands == 0; }
+    bool full() const { return m_arena.used_bytes() >= kMaxBytes; }
+    size_t command_count() const { return m_commands; }
+    Arena& arena() { return m_arena; }
+
+    // Keeps an object alive until the frame has been drawn.
+    void keep(std::shared_ptr<const void> object) {
+        if (m_kept.empty() || m_kept.back() != object) m_kept.push_back(std::move(object));
+    }
+
+    // Into the lists of all bins that the primitive's rectangle touches, less those an edge shuts out.
+    void add(const raster::Primitive& primitive);
+    // A clear of a rectangle of pixels through masks.
+    void add(const raster::BinClear& clear);
+
+    // Draws everything queued, on all threads, and forgets it.
+    void draw();
+
+  private:
+    // Bin lists are chunks of tagged pointers: bit 0 marks a clear.
+    struct Chunk {
+        Chunk* next;
+        uint32_t count;
+        uintptr_t commands[62];
+    };
+    static_assert(sizeof(Chunk) == 512);
+    struct BinList {
+        Chunk* first = nullptr;
+        Chunk* last = nullptr;
+    };
+
+    void push(int bin, uintptr_t command);
+    void draw_bin(int index) const;
+    void reset();
+
+    std::shared_ptr<raster::Target> m_target;
+    Arena m_arena;
+    std::vector<BinList> m_bins;
+    std::vector<std::shared_ptr<const void>> m_kept;
+    size_t m_commands = 0;
+};
+
+}  // namespace terrazzo::pipeline

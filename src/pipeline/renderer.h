@@ -1,0 +1,74 @@
+// The way of a draw: from vertices to primitives in the bins of a frame, and of a frame to pixels.
+//
+// One renderer belongs to one context and is used by one thread at a time. Draws are queued; `finish` makes them pixels.
+// Texture images and other objects that a draw's states point at are kept by the frame until then.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "pipeline/fragment_block.h"
+#include "pipeline/frame.h"
+#include "pipeline/geometry_table.h"
+#include "pipeline/vertex_input.h"
+#include "pipeline/vertex_state.h"
+
+namespace terrazzo::pipeline {
+
+enum class FillMode : uint8_t { kFill, kLine, kPoint };
+
+// How primitives of all kinds become fragments (GL 1.5 chapter 3).
+struct RasterState {
+    int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // scissor within the target, in raster rows; x1 and y1 exclusive
+    bool row0_is_top = true;
+    bool flat = false;
+    bool cull_front = false, cull_back = false;
+    bool front_is_clockwise = false;
+    FillMode fill[2] = {FillMode::kFill, FillMode::kFill};  // front, back
+    bool offset_fill = false, offset_line = false, offset_point = false;
+    float offset_factor = 0;
+    float offset_units = 0;  // in depth: already times the smallest step of the format
+    float line_width = 1;
+    bool line_smooth = false;
+    bool line_stipple = false;
+    int line_stipple_factor = 1;
+    uint16_t line_stipple_pattern = 0xffff;
+    float point_size = 1;
+    bool point_smooth = false;
+};
+
+// All that a draw needs besides its vertices.
+struct DrawState {
+    VertexState vertex;
+    RasterState raster;
+    std::shared_ptr<const FragmentBlock> fragment;
+};
+
+// A run of vertices: consecutive elements, or elements by index.
+struct VertexRange {
+    uint32_t first = 0;
+    uint32_t count = 0;
+    const uint32_t* indices = nullptr;  // null: first, first + 1, ...
+};
+
+class Renderer {
+  public:
+    // Draws from now on go to `target`; queued ones are finished first. Null releases it.
+    void set_target(std::shared_ptr<raster::Target> target);
+    const std::shared_ptr<raster::Target>& target() const { return m_frame.target(); }
+
+    // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws
+    // std::bad_alloc, and what was queued stays good. Draws the frame early whenever it has grown full.
+    void draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode, const VertexRange& range);
+    // Queues a clear.
+    void clear(const raster::BinClear& clear);
+    // Draws everything that is queued.
+    void finish();
+
+  private:
+    Frame m_frame;
+    ShadedVertices m_vertices;
+    ShadedVertices m_pivot;
+};
+
+}  // namespace terrazzo::pipeline

@@ -1,0 +1,165 @@
+// The vertex program: fetch, transform, light, texgen, 16 vertices at a time, into the columns of ShadedVertices.
+//
+// Clip and window coordinates are the reference's bit for bit (doc/reference.md §2): products and sums of the matrix product
+// are rounded one by one, the viewport is one fused step.
+#include "pipeline/geometry_table.h"
+#include "pipeline/setup_triangles.h"
+#include "pipeline/texgen.h"
+
+namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
+
+namespace {
+
+// One bit a plane where the vertex is outside, or not a number.
+I32x16 outcode(const VertexState& state, const Wide4& clip) {
+    const F32x16 zero(0.0f);
+    const auto flag = [](Mask16 inside, uint32_t bit) {
+        return select(inside, I32x16(0), I32x16(static_cast<int32_t>(bit)));
+    };
+    I32x16 code = flag(clip.x <= clip.w, kOutsideRight) | flag(clip.x + clip.w >= zero, kOutsideLeft) |
+                  flag(clip.y <= clip.w, kOutsideTop) | flag(clip.y + clip.w >= zero, kOutsideBottom) |
+                  flag(clip.z + clip.w >= zero, kOutsideNear) | flag(clip.z <= clip.w, kOutsideFar);
+    for (int p = 0; p < kMaxClipPlanes; ++p) {
+        if (!(state.clip_plane_mask >> p & 1)) continue;
+        const float* const plane = state.clip_planes[p];
+        F32x16 distance = clip.x * F32x16(plane[0]);
+        distance = multiply_add_once_rounded(clip.y, F32x16(plane[1]), distance);
+        distance = multiply_add_once_rounded(clip.z, F32x16(plane[2]), distance);
+        distance = multiply_add_once_rounded(clip.w, F32x16(plane[3]), distance);
+        code = code | flag(distance >= zero, static_cast<uint32_t>(kOutsideUser) << p);
+    }
+    return code;
+}
+
+I32x16 snap(F32x16 window) {
+    // Far outside the target only the sign matters: such vertices are clipped or dropped.
+    const F32x16 limit(8388608.0f);
+    return round_to_int(clamp((window - F32x16(0.5f)) * F32x16(256.0f), -limit, limit));
+}
+
+void store_position(const VertexState& state, const Wide4& clip, ShadedVertices& out, int at) {
+    const F32x16 oow = F32x16(1.0f) / clip.w;
+    const auto window = [&](F32x16 c, int axis) {
+        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]), F32x16(state.viewport_translate[axis]));
+    };
+    const F32x16 x = window(clip.x, 0), y = window(clip.y, 1), z = window(clip.z, 2);
+    store(clip.x, out.column(kClipX) + at);
+    store(clip.y, out.column(kClipY) + at);
+    store(clip.z, out.column(kClipZ) + at);
+    store(clip.w, out.column(kClipW) + at);
+    store(x, out.column(kWindowX) + at);
+    store(y, out.column(kWindowY) + at);
+    store(z, out.column(kWindowZ) + at);
+    store(oow, out.column(kWindowOow) + at);
+    store(snap(x), out.integers(kSnappedX) + at);
+    store(snap(y), out.integers(kSnappedY) + at);
+    store(outcode(state, clip), out.integers(kOutcode) + at);
+}
+
+// min first: a colour that is not a number becomes 1.
+F32x16 clamp_color(F32x16 c) { return max(min(c, F32x16(1.0f)), F32x16(0.0f)); }
+
+void store_color(const Wide4& c, ShadedVertices& out, int column, int at) {
+    const F32x16 channels[4] = {c.x, c.y, c.z, c.w};
+    for (int i = 0; i < 4; ++i) store(clamp_color(channels[i]), out.column(column + i) + at);
+}
+void store_secondary(const Wide3& c, ShadedVertices& out, int column, int at) {
+    const F32x16 channels[3] = {c.x, c.y, c.z};
+    for (int i = 0; i < 3; ++i) store(clamp_color(channels[i]), out.column(column + i) + at);
+}
+
+Wide3 transform_normal(const VertexState& state, const Wide4& n) {
+    const float* const m = state.normal_matrix;
+    Wide3 out{F32x16(m[0]) * n.x + F32x16(m[3]) * n.y + F32x16(m[6]) * n.z,
+              F32x16(m[1]) * n.x + F32x16(m[4]) * n.y + F32x16(m[7]) * n.z,
+              F32x16(m[2]) * n.x + F32x16(m[5]) * n.y + F32x16(m[8]) * n.z};
+    if (state.normal_scaling == NormalScaling::kNormalize) return normalize(out);
+    if (state.normal_scaling == NormalScaling::kRescale) return scale(out, F32x16(state.rescale_factor));
+    return out;
+}
+
+void store_colors(const VertexState& state, const VertexInput& input, const ElementBatch& batch, const Wide4& eye,
+                  const Wide3& normal, ShadedVertices& out, int at) {
+    const raster::Varyings& v = state.varyings;
+    const Wide4 color = fetch(input, kColor, batch);
+    const Lighting& lighting = state.lighting;
+    if (!lighting.enabled) {
+        if (v.color >= 0) store_color(color, out, kFirstVarying + v.color, at);
+        if (v.secondary >= 0) {
+            const Wide4 second = fetch(input, kSecondaryColor, batch);
+            store_secondary({second.x, second.y, second.z}, out, kFirstVarying + v.secondary, at);
+        }
+        return;
+    }
+    for (int face = 0; face < (lighting.two_sided ? 2 : 1); ++face) {
+        const LitColor lit = light_vertices(lighting, face, input, batch, color, {eye.x, eye.y, eye.z}, normal);
+        const int base = kFirstVarying + (face == 0 ? 0 : v.count);
+        store_color(lit.color, out, base + v.color, at);
+        if (v.secondary >= 0) store_secondary(lit.specular, out, base + v.secondary, at);
+    }
+}
+
+bool needs_normal(const VertexState& state) {
+    if (state.lighting.enabled) return true;
+    for (const TextureCoordinates& unit : state.texture) {
+        if (!unit.used) continue;
+        for (const TexgenMode mode : unit.texgen)
+            if (mode >= TexgenMode::kSphereMap) return true;
+    }
+    return false;
+}
+
+bool needs_eye(const VertexState& state) {
+    if (state.lighting.enabled || (state.varyings.fog >= 0 && !state.fog_from_coordinate)) return true;
+    for (const TextureCoordinates& unit : state.texture) {
+        if (!unit.used) continue;
+        for (const TexgenMode mode : unit.texgen)
+            if (mode >= TexgenMode::kEyeLinear) return true;
+    }
+    return false;
+}
+
+void shade_batch(const VertexState& state, const VertexInput& input, const ElementBatch& batch, ShadedVertices& out,
+                 int at) {
+    const raster::Varyings& v = state.varyings;
+    const Wide4 position = fetch(input, kPosition, batch);
+    store_position(state, transform(state.mvp, position), out, at);
+
+    TexgenSource source{position, position, {0.0f, 0.0f, 0.0f}};
+    if (needs_eye(state)) source.eye = transform(state.modelview, position);
+    if (needs_normal(state)) source.normal = transform_normal(state, fetch(input, kNormal, batch));
+    if (v.color >= 0) store_colors(state, input, batch, source.eye, source.normal, out, at);
+    if (v.fog >= 0) {
+        const F32x16 distance = state.fog_from_coordinate ? fetch(input, kFogCoordinate, batch).x : abs(source.eye.z);
+        store(distance, out.column(kFirstVarying + v.fog) + at);
+    }
+    for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+        const int first = v.texture[static_cast<size_t>(unit)];
+        if (first < 0) continue;
+        const Wide4 c = texture_coordinates(state.texture[static_cast<size_t>(unit)], fetch(input, kTexture0 + unit, batch), source);
+        store(c.x, out.column(kFirstVarying + first) + at);
+        store(c.y, out.column(kFirstVarying + first + 1) + at);
+        if (!(v.projective >> unit & 1)) continue;
+        store(c.z, out.column(kFirstVarying + first + 2) + at);
+        store(c.w, out.column(kFirstVarying + first + 3) + at);
+    }
+    if (state.edge_flags) {
+        const Mask16 set = fetch(input, kEdgeFlag, batch).x != F32x16(0.0f);
+        store(select(set, I32x16(1), I32x16(0)), out.integers(kEdgeFlagColumn) + at);
+    }
+}
+
+void shade_vertices(const VertexState& state, const VertexInput& input, const uint32_t* elements, uint32_t first, int count,
+                    ShadedVertices& out) {
+    for (int at = 0; at < count; at += 16) {
+        const ElementBatch batch{elements ? elements + at : nullptr, first + static_cast<uint32_t>(at), std::min(count - at, 16)};
+        shade_batch(state, input, batch, out, at);
+    }
+}
+
+}  // namespace
+
+extern const GeometryTable kGeometryTable;
+const GeometryTable kGeometryTable = {shade_vertices, setup_triangles};
+
+}  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

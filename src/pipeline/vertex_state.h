@@ -1,0 +1,77 @@
+// What a vertex goes through, as plain data (GL 1.5 chapter 2): made by src/gl/validate.cpp, used up by the draw it is
+// passed to. Matrices are column-major as GL has them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "raster/state.h"
+
+namespace terrazzo::pipeline {
+
+inline constexpr int kMaxLights = 8;
+inline constexpr int kMaxClipPlanes = 6;
+using raster::kMaxTextureUnits;
+
+struct Light {
+    float position[4];   // eye coordinates; w 0: directional, xyz then of unit length
+    float direction[3];  // spot direction in eye coordinates, unit length
+    float ambient[4], diffuse[4], specular[4];
+    float attenuation[3];  // constant, linear, quadratic
+    float spot_exponent;
+    float spot_cos_cutoff;  // -1: no spot
+};
+
+struct Material {
+    float ambient[4], diffuse[4], specular[4], emission[4];
+    float shininess;
+};
+
+// Which material colours the vertex colour replaces (GL 1.5 §2.14.3).
+struct ColorMaterial {
+    bool ambient = false, diffuse = false, specular = false, emission = false;
+};
+
+struct Lighting {
+    bool enabled = false;
+    bool two_sided = false;
+    bool local_viewer = false;
+    bool separate_specular = false;
+    float model_ambient[4] = {0.2f, 0.2f, 0.2f, 1};
+    int light_count = 0;
+    std::array<Light, kMaxLights> lights;
+    Material materials[2];  // front, back
+    ColorMaterial color_material[2];
+};
+
+enum class TexgenMode : uint8_t { kOff, kObjectLinear, kEyeLinear, kSphereMap, kReflectionMap, kNormalMap };
+
+struct TextureCoordinates {
+    bool used = false;
+    bool has_matrix = false;  // other than the identity
+    float matrix[16];
+    TexgenMode texgen[4] = {};
+    float planes[4][4] = {};  // of the mode each coordinate uses
+};
+
+enum class NormalScaling : uint8_t { kNone, kRescale, kNormalize };
+
+struct VertexState {
+    float mvp[16];
+    float modelview[16];
+    float normal_matrix[9];  // columns of the inverse transpose's upper 3x3
+    bool affine = false;     // the last row of mvp is 0 0 0 1
+    float viewport_scale[3], viewport_translate[3];
+    uint32_t clip_plane_mask = 0;                 // bit p: plane p is enabled
+    float clip_planes[kMaxClipPlanes][4] = {};    // in clip coordinates
+    NormalScaling normal_scaling = NormalScaling::kNone;
+    float rescale_factor = 1;
+    Lighting lighting;
+    bool edge_flags = false;  // polygons may be drawn unfilled
+    bool fog_from_coordinate = false;  // else from the eye distance
+    std::array<TextureCoordinates, kMaxTextureUnits> texture;
+    raster::Varyings varyings;
+    bool interpolated_color = true;
+};
+
+}  // namespace terrazzo::pipeline
