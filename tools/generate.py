@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from generator import dispatch, lists
+from generator import calls, dispatch, lists
 from generator.policy import Policy, PolicyError
 from generator.registry import Registry
 
@@ -26,7 +26,7 @@ def main():
     exports = pathlib.Path(options.exports).read_text().split()
     try:
         policy = Policy(options.policy, Registry(options.registry), exports)
-        outputs = dispatch.outputs(policy) | lists.outputs(policy)
+        outputs = dispatch.outputs(policy) | lists.outputs(policy) | calls.outputs(policy)
     except PolicyError as error:
         sys.exit(f"{options.policy}: {error}")
     options.out.mkdir(parents=True, exist_ok=True)

@@ -1,5 +1,4 @@
-// Viewport, depth range, clear values, draw and read buffer (GL 1.5 §2.11.1, §4.2, §4.3.2), and Flush and
-// Finish (§5.5).
+// Viewport, depth range, clear values, draw and read buffer (GL 1.5 §2.11.1, §4.2, §4.3.2).
 #include "gl/framebuffer.h"
 
 #include <algorithm>
@@ -10,18 +9,19 @@
 namespace terrazzo::gl {
 namespace {
 
-// The render target has one colour buffer, front left: GL_INVALID_ENUM for what is no buffer,
-// GL_INVALID_OPERATION for buffers that are not there (GL 1.5 §4.2.1).
+// GL_INVALID_ENUM for what is no buffer, GL_INVALID_OPERATION for buffers that are not there (GL 1.5 §4.2.1). The
+// render target has one colour buffer, front left, and like OSMesa we take back left for another name of it: programs
+// written for double-buffered windows ask for it.
 GLenum check_buffer(GLenum buffer) {
     switch (buffer) {
         case GL_FRONT:
+        case GL_BACK:
         case GL_LEFT:
         case GL_FRONT_LEFT:
+        case GL_BACK_LEFT:
             return GL_NO_ERROR;
-        case GL_BACK:
         case GL_RIGHT:
         case GL_FRONT_RIGHT:
-        case GL_BACK_LEFT:
         case GL_BACK_RIGHT:
         case GL_AUX0:
         case GL_AUX1:
@@ -85,16 +85,6 @@ void draw_buffer(Context& ctx, GLenum buf) {
 void read_buffer(Context& ctx, GLenum src) {
     if (const GLenum error = check_buffer(src)) return record_error(ctx, error, "no such read buffer");
     ctx.framebuffer.read_buffer = src;
-}
-
-void flush(Context& ctx) {
-    begin_change(ctx, Dirty::kFramebuffer);
-    if (ctx.surface.present) ctx.surface.present(ctx, ctx.surface.front_end);
-}
-
-// Nothing here runs behind the caller's back after a flush.
-void finish(Context& ctx) {
-    flush(ctx);
 }
 
 }  // namespace terrazzo::gl

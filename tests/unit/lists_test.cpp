@@ -1,0 +1,298 @@
+// Display lists (GL 1.5 §5.4): what is recorded, what is carried out at once, and the errors.
+#include <GL/gl.h>
+
+#include <array>
+#include <thread>
+#include <vector>
+
+#include "gl/generated/calls.h"
+#include "gl_fixture.h"
+
+namespace terrazzo::gl {
+namespace {
+
+class ListTest : public GlTest {
+  protected:
+    static GLint integer(GLenum pname) {
+        GLint value = -1;
+        glGetIntegerv(pname, &value);
+        return value;
+    }
+
+    // A list that sets the stencil clear value to a number of its own.
+    static void make_list(GLuint name, GLint mark) {
+        glNewList(name, GL_COMPILE);
+        glClearStencil(mark);
+        glEndList();
+    }
+
+    // What the lists called by `call` set last.
+    template <typename Call>
+    GLint mark_after(Call call) {
+        glClearStencil(0);
+        call();
+        return integer(GL_STENCIL_CLEAR_VALUE);
+    }
+
+    void expect_error(GLenum code) { EXPECT_EQ(glGetError(), code); }
+};
+
+TEST_F(ListTest, CompilingDoesNotExecute) {
+    glNewList(5, GL_COMPILE);
+    EXPECT_EQ(integer(GL_LIST_INDEX), 5);
+    EXPECT_EQ(integer(GL_LIST_MODE), GL_COMPILE);
+    glClearStencil(3);
+    glEnable(GL_BLEND);
+    EXPECT_EQ(integer(GL_STENCIL_CLEAR_VALUE), 0);
+    EXPECT_FALSE(glIsEnabled(GL_BLEND));
+    glEndList();
+    EXPECT_EQ(integer(GL_LIST_INDEX), 0);
+    glCallList(5);
+    EXPECT_EQ(integer(GL_STENCIL_CLEAR_VALUE), 3);
+    EXPECT_TRUE(glIsEnabled(GL_BLEND));
+    expect_error(GL_NO_ERROR);
+}
+
+TEST_F(ListTest, CompileAndExecuteDoesBoth) {
+    glNewList(1, GL_COMPILE_AND_EXECUTE);
+    EXPECT_EQ(integer(GL_LIST_MODE), GL_COMPILE_AND_EXECUTE);
+    glClearStencil(3);
+    EXPECT_EQ(integer(GL_STENCIL_CLEAR_VALUE), 3);
+    glEndList();
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 3);
+}
+
+TEST_F(ListTest, ErrorsOfNewListAndEndList) {
+    glNewList(0, GL_COMPILE);
+    expect_error(GL_INVALID_VALUE);
+    glNewList(1, GL_RENDER);
+    expect_error(GL_INVALID_ENUM);
+    glEndList();
+    expect_error(GL_INVALID_OPERATION);
+    glNewList(1, GL_COMPILE);
+    glNewList(2, GL_COMPILE);
+    expect_error(GL_INVALID_OPERATION);
+    EXPECT_EQ(integer(GL_LIST_INDEX), 1);
+    glEndList();
+    expect_error(GL_NO_ERROR);
+    EXPECT_TRUE(glIsList(1));
+    EXPECT_FALSE(glIsList(2));
+}
+
+TEST_F(ListTest, ErrorsBelongToTheCall) {
+    glNewList(1, GL_COMPILE);
+    glMatrixMode(GL_ONE);
+    glFogf(GL_FOG_COLOR, 1);       // known to be wrong when it is compiled
+    glFogfv(GL_FOG_COLOR, nullptr);
+    glEndList();
+    expect_error(GL_NO_ERROR);
+    glCallList(1);
+    expect_error(GL_INVALID_ENUM);
+    EXPECT_EQ(ctx().error.count, 3u);
+}
+
+TEST_F(ListTest, ArraysAreCopied) {
+    std::vector<GLfloat> colour = {0.25f, 0.5f, 0.75f, 1};
+    std::vector<GLdouble> matrix(16, 2.0);
+    glNewList(1, GL_COMPILE);
+    glFogfv(GL_FOG_COLOR, colour.data());
+    glLoadMatrixd(matrix.data());
+    glEndList();
+    colour.assign(4, 0.0f);
+    matrix.assign(16, 0.0);
+    glCallList(1);
+    std::array<GLfloat, 16> value;
+    glGetFloatv(GL_FOG_COLOR, value.data());
+    EXPECT_EQ(value[2], 0.75f);
+    glGetFloatv(GL_MODELVIEW_MATRIX, value.data());
+    EXPECT_EQ(value[7], 2.0f);
+}
+
+TEST_F(ListTest, EveryListableCommandIsRecordedAndNotExecuted) {
+    // With arguments this wrong an executed command that checks them records an error at once.
+    const Arguments wrong{-1, -1, nullptr};
+    for (const Call& call : kEveryCall) {
+        if (!call.implemented || !call.in_lists) continue;
+        glNewList(1, GL_COMPILE);
+        const unsigned errors = ctx().error.count;
+        call.call(wrong);
+        EXPECT_EQ(ctx().error.count, errors) << call.name;
+        glEndList();
+        glCallList(1);
+    }
+}
+
+TEST_F(ListTest, ListsCallListsThatMayBeReplacedLater) {
+    make_list(2, 20);
+    glNewList(1, GL_COMPILE);
+    glCallList(2);
+    glCallList(99);  // does not exist: ignored
+    glEndList();
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 20);
+    make_list(2, 21);
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 21);
+    glDeleteLists(2, 1);
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 0);
+    expect_error(GL_NO_ERROR);
+}
+
+TEST_F(ListTest, NestingEndsAtTheLimit) {
+    glNewList(1, GL_COMPILE);
+    glTranslatef(1, 0, 0);
+    glCallList(1);
+    glEndList();
+    glCallList(1);
+    std::array<GLfloat, 16> matrix;
+    glGetFloatv(GL_MODELVIEW_MATRIX, matrix.data());
+    EXPECT_EQ(matrix[12], static_cast<GLfloat>(integer(GL_MAX_LIST_NESTING)));
+    EXPECT_EQ(integer(GL_MAX_LIST_NESTING), 64);
+    EXPECT_EQ(ctx().lists.nesting, 0);
+}
+
+TEST_F(ListTest, TheOldListStaysUntilTheNewOneIsFinished) {
+    make_list(1, 7);
+    glNewList(1, GL_COMPILE_AND_EXECUTE);
+    glCallList(1);  // still the old one
+    EXPECT_EQ(integer(GL_STENCIL_CLEAR_VALUE), 7);
+    glClearStencil(8);
+    glEndList();
+    // Now the list calls itself, 64 deep, and sets 8 last.
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 8);
+}
+
+template <typename Type>
+void call_one(GLenum type, Type offset) {
+    glCallLists(1, type, &offset);
+}
+
+TEST_F(ListTest, NamesOfAllTypes) {
+    make_list(0x0102, 1);
+    make_list(0x010203, 2);
+    make_list(0x01020304, 3);
+    make_list(100, 4);
+    make_list(200, 5);
+    EXPECT_EQ(mark_after([] { call_one(GL_BYTE, GLbyte{100}); }), 4);
+    EXPECT_EQ(mark_after([] { call_one(GL_UNSIGNED_BYTE, GLubyte{200}); }), 5);
+    EXPECT_EQ(mark_after([] { call_one(GL_SHORT, GLshort{0x102}); }), 1);
+    EXPECT_EQ(mark_after([] { call_one(GL_UNSIGNED_SHORT, GLushort{0x102}); }), 1);
+    EXPECT_EQ(mark_after([] { call_one(GL_INT, GLint{0x10203}); }), 2);
+    EXPECT_EQ(mark_after([] { call_one(GL_UNSIGNED_INT, GLuint{0x10203}); }), 2);
+    EXPECT_EQ(mark_after([] { call_one(GL_FLOAT, GLfloat{200.75f}); }), 5);
+    const GLubyte bytes[] = {1, 2, 3, 4};
+    EXPECT_EQ(mark_after([&] { glCallLists(1, GL_2_BYTES, bytes); }), 1);
+    EXPECT_EQ(mark_after([&] { glCallLists(1, GL_3_BYTES, bytes); }), 2);
+    EXPECT_EQ(mark_after([&] { glCallLists(1, GL_4_BYTES, bytes); }), 3);
+    glListBase(300);
+    EXPECT_EQ(mark_after([] { call_one(GL_BYTE, GLbyte{-100}); }), 5);
+    glListBase(0xffffffff);
+    EXPECT_EQ(mark_after([] { call_one(GL_SHORT, GLshort{201}); }), 5);
+    expect_error(GL_NO_ERROR);
+    glCallLists(-1, GL_INT, bytes);
+    expect_error(GL_INVALID_VALUE);
+    glCallLists(1, GL_DOUBLE, bytes);
+    expect_error(GL_INVALID_ENUM);
+    glCallLists(0, GL_INT, nullptr);
+    expect_error(GL_NO_ERROR);
+    call_one(GL_FLOAT, __builtin_nanf(""));
+    call_one(GL_FLOAT, -1e30f);
+    expect_error(GL_NO_ERROR);
+}
+
+TEST_F(ListTest, TheListBaseIsTheOneOfTheCall) {
+    make_list(11, 1);
+    make_list(21, 2);
+    const GLubyte one = 1;
+    glNewList(1, GL_COMPILE);
+    glCallLists(1, GL_UNSIGNED_BYTE, &one);
+    glEndList();
+    glListBase(10);
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 1);
+    glListBase(20);
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 2);
+    EXPECT_EQ(integer(GL_LIST_BASE), 20);
+}
+
+TEST_F(ListTest, NamesAreSetAside) {
+    const GLuint first = glGenLists(3);
+    for (GLuint i = 0; i < 3; ++i) EXPECT_TRUE(glIsList(first + i));
+    EXPECT_FALSE(glIsList(first + 3));
+    EXPECT_FALSE(glIsList(0));
+    glCallList(first);  // empty
+    glDeleteLists(first + 1, 1);
+    EXPECT_TRUE(glIsList(first));
+    EXPECT_FALSE(glIsList(first + 1));
+    EXPECT_TRUE(glIsList(first + 2));
+    EXPECT_EQ(glGenLists(0), 0u);
+    expect_error(GL_NO_ERROR);
+    EXPECT_EQ(glGenLists(-1), 0u);
+    expect_error(GL_INVALID_VALUE);
+    glDeleteLists(1, -1);
+    expect_error(GL_INVALID_VALUE);
+    const GLuint many = glGenLists(0x7fffffff);
+    EXPECT_NE(many, 0u);
+    EXPECT_TRUE(glIsList(many + 0x7ffffffe));
+    glDeleteLists(0, 0x7fffffff);
+    glDeleteLists(0x7fffffff, 0x7fffffff);
+    EXPECT_FALSE(glIsList(many));
+    EXPECT_FALSE(glIsList(first));
+}
+
+TEST_F(ListTest, GroupsShareLists) {
+    const auto partner = create_context(Config{}, &ctx());
+    const auto stranger = create_context(Config{}, nullptr);
+    make_list(1, 9);
+    make_current(partner.get());
+    EXPECT_TRUE(glIsList(1));
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 9);
+    make_current(stranger.get());
+    EXPECT_FALSE(glIsList(1));
+    make_current(&ctx());
+}
+
+// A list that is replaced and deleted while another thread plays it: every call sees a whole list or none.
+TEST_F(ListTest, SharedListsMayChangeWhileTheyArePlayed) {
+    const auto partner = create_context(Config{}, &ctx());
+    const auto make_pair = [](GLint mark) {
+        glNewList(1, GL_COMPILE);
+        glClearStencil(mark);
+        glStencilMask(static_cast<GLuint>(mark));
+        glEndList();
+    };
+    make_pair(1);
+    std::thread player([&] {
+        make_current(partner.get());
+        for (int i = 0; i < 3000; ++i) {
+            glCallList(1);
+            GLint value = 0, mask = 0;
+            glGetIntegerv(GL_STENCIL_CLEAR_VALUE, &value);
+            glGetIntegerv(GL_STENCIL_WRITEMASK, &mask);
+            ASSERT_EQ(value, mask) << i;
+        }
+        make_current(nullptr);
+    });
+    for (GLint i = 0; i < 3000; ++i) {
+        make_pair(1 + i % 255);
+        if (i % 7 == 0) glDeleteLists(1, 1);
+    }
+    player.join();
+}
+
+TEST_F(ListTest, LongListsAreWhole) {
+    // Long lists span blocks, and records follow one another whatever their size.
+    glNewList(1, GL_COMPILE);
+    std::vector<GLubyte> names(70000, 2);
+    for (int i = 0; i < 10000; ++i) glTranslatef(1, 0, 0);
+    glCallLists(static_cast<GLsizei>(names.size()), GL_UNSIGNED_BYTE, names.data());
+    glTranslatef(1, 0, 0);
+    glEndList();
+    glNewList(2, GL_COMPILE);
+    glTranslatef(1, 0, 0);
+    glEndList();
+    glCallList(1);
+    std::array<GLfloat, 16> matrix;
+    glGetFloatv(GL_MODELVIEW_MATRIX, matrix.data());
+    EXPECT_EQ(matrix[12], 80001.0f);
+}
+
+}  // namespace
+}  // namespace terrazzo::gl
