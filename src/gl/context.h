@@ -28,6 +28,7 @@
 #include "gl/surface.h"
 #include "gl/texture.h"
 #include "gl/vertex.h"
+#include "pipeline/renderer.h"
 
 namespace terrazzo::gl {
 
@@ -49,6 +50,7 @@ struct Context {
     Config config;  // what the front end asked for; constant
     std::shared_ptr<ShareGroup> shared;
     Surface surface;
+    pipeline::Renderer renderer;
 
     DispatchState dispatch;
     ErrorState error;

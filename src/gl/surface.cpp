@@ -8,15 +8,19 @@ namespace terrazzo::gl {
 
 void attach_surface(Context& ctx, const Surface& surface) {
     begin_change(ctx, Dirty::kFramebuffer);
-    const bool first = ctx.surface.target_desc.width == 0;
-    const bool same = surface.target_desc == ctx.surface.target_desc;
+    const bool first = ctx.surface.width == 0;
+    const bool same = surface.width == ctx.surface.width && surface.height == ctx.surface.height &&
+                      surface.format == ctx.surface.format;
     const bool drawn = same && ctx.surface.drawn;
+    if (!same) {
+        ctx.renderer.set_target(
+            std::make_shared<raster::Target>(surface.width, surface.height, surface.format));
+    }
     ctx.surface = surface;
     ctx.surface.drawn = drawn;
     if (first) {
-        const auto& [width, height] = std::pair(surface.target_desc.width, surface.target_desc.height);
-        viewport(ctx, 0, 0, width, height);
-        scissor(ctx, 0, 0, width, height);
+        viewport(ctx, 0, 0, surface.width, surface.height);
+        scissor(ctx, 0, 0, surface.width, surface.height);
     }
 }
 
@@ -25,6 +29,13 @@ void present(Context& ctx) {
     if (!ctx.surface.drawn || !ctx.surface.present) return;
     ctx.surface.drawn = false;
     ctx.surface.present(ctx, ctx.surface.front_end);
+}
+
+void copy_picture(Context& ctx, pipeline::PixelLayout layout, std::byte* bottom_row, std::ptrdiff_t stride) {
+    ctx.renderer.finish();
+    // Row 0 of a window's target is its top row.
+    std::byte* const top_row = bottom_row + (ctx.surface.height - 1) * stride;
+    pipeline::resolve(*ctx.renderer.target(), layout, top_row, -stride);
 }
 
 void flush(Context& ctx) {

@@ -29,16 +29,23 @@ bool set_at_least(int& field, int value, int lowest) {
 
 bool apply(Request& request, int attribute, int value) {
     switch (attribute) {
-        case OSMESA_FORMAT: return request.format = value, is_format(value);
-        case OSMESA_DEPTH_BITS: return set_at_least(request.depth_bits, value, 0);
-        case OSMESA_STENCIL_BITS: return set_at_least(request.stencil_bits, value, 0);
-        case OSMESA_ACCUM_BITS: return set_at_least(request.accum_bits, value, 0);
+        case OSMESA_FORMAT:
+            return request.format = value, is_format(value);
+        case OSMESA_DEPTH_BITS:
+            return set_at_least(request.depth_bits, value, 0);
+        case OSMESA_STENCIL_BITS:
+            return set_at_least(request.stencil_bits, value, 0);
+        case OSMESA_ACCUM_BITS:
+            return set_at_least(request.accum_bits, value, 0);
         case OSMESA_PROFILE:
             request.profile = value;
             return value == OSMESA_CORE_PROFILE || value == OSMESA_COMPAT_PROFILE;
-        case OSMESA_CONTEXT_MAJOR_VERSION: return set_at_least(request.major, value, 1);
-        case OSMESA_CONTEXT_MINOR_VERSION: return set_at_least(request.minor, value, 0);
-        default: return false;
+        case OSMESA_CONTEXT_MAJOR_VERSION:
+            return set_at_least(request.major, value, 1);
+        case OSMESA_CONTEXT_MINOR_VERSION:
+            return set_at_least(request.minor, value, 0);
+        default:
+            return false;
     }
 }
 
@@ -69,7 +76,8 @@ std::optional<ContextAttributes> parse_attributes(const int* list) {
         }
     }
     const auto wanted = std::pair(request.major, request.minor);
-    if (request.profile == OSMESA_CORE_PROFILE || wanted > std::pair(gl::kGlMajorVersion, gl::kGlMinorVersion)) {
+    if (request.profile == OSMESA_CORE_PROFILE ||
+        wanted > std::pair(gl::kGlMajorVersion, gl::kGlMinorVersion)) {
         gl::debug_log(command, "this profile or version is not offered");
         return std::nullopt;
     }

@@ -12,8 +12,9 @@ struct ContextAttributes {
     gl::Config config;
 };
 
-// Empty when the list has an unknown attribute or a value that is out of range, or wants what is not there: a core
-// profile, or a version above ours. `list` is (attribute, value) pairs ended by 0; null stands for an empty list.
+// Empty when the list has an unknown attribute or a value that is out of range, or wants what is not there: a
+// core profile, or a version above ours. `list` is (attribute, value) pairs ended by 0; null stands for an
+// empty list.
 std::optional<ContextAttributes> parse_attributes(const int* list);
 
 }  // namespace terrazzo::osmesa

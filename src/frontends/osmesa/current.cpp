@@ -1,7 +1,7 @@
 // Which OSMesa context is current in which thread; see current.h.
 //
-// `users` counts the threads that have a context current, so that destroying it under another thread's feet waits for
-// that thread to let go, which it does at the latest when it ends.
+// `users` counts the threads that have a context current, so that destroying it under another thread's feet
+// waits for that thread to let go, which it does at the latest when it ends.
 #include "frontends/osmesa/current.h"
 
 #include <mutex>

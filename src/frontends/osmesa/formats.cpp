@@ -11,11 +11,16 @@ using pipeline::PixelLayout;
 
 std::optional<PixelLayout> byte_layout(int format) {
     switch (format) {
-        case OSMESA_RGBA: return PixelLayout::kRgba8;
-        case OSMESA_BGRA: return PixelLayout::kBgra8;
-        case OSMESA_ARGB: return PixelLayout::kArgb8;
-        case OSMESA_RGB: return PixelLayout::kRgb8;
-        default: return std::nullopt;
+        case OSMESA_RGBA:
+            return PixelLayout::kRgba8;
+        case OSMESA_BGRA:
+            return PixelLayout::kBgra8;
+        case OSMESA_ARGB:
+            return PixelLayout::kArgb8;
+        case OSMESA_RGB:
+            return PixelLayout::kRgb8;
+        default:
+            return std::nullopt;
     }
 }
 
@@ -34,19 +39,25 @@ bool is_format(int format) {
         case OSMESA_ARGB:
         case OSMESA_RGB:
         case OSMESA_BGR:
-        case OSMESA_RGB_565: return true;
-        default: return false;
+        case OSMESA_RGB_565:
+            return true;
+        default:
+            return false;
     }
 }
 
 std::optional<PixelLayout> pixel_layout(int format, GLenum type) {
     switch (type) {
-        case GL_UNSIGNED_BYTE: return byte_layout(format);
-        case GL_UNSIGNED_SHORT: return wide_layout(format, PixelLayout::kRgba16, PixelLayout::kRgb16);
-        case GL_FLOAT: return wide_layout(format, PixelLayout::kRgba32Float, PixelLayout::kRgb32Float);
+        case GL_UNSIGNED_BYTE:
+            return byte_layout(format);
+        case GL_UNSIGNED_SHORT:
+            return wide_layout(format, PixelLayout::kRgba16, PixelLayout::kRgb16);
+        case GL_FLOAT:
+            return wide_layout(format, PixelLayout::kRgba32F, PixelLayout::kRgb32F);
         case GL_UNSIGNED_SHORT_5_6_5:
             return format == OSMESA_RGB_565 ? std::optional(PixelLayout::kRgb565) : std::nullopt;
-        default: return std::nullopt;
+        default:
+            return std::nullopt;
     }
 }
 

@@ -5,14 +5,15 @@
 
 #include <optional>
 
-#include "pipeline/target.h"
+#include "pipeline/resolve.h"
 
 namespace terrazzo::osmesa {
 
 // Format of a context (OSMESA_RGBA ...), whether or not there is a type it can be drawn with.
 bool is_format(int format);
 
-// The pixels of a buffer for `format` and `type` of OSMesaMakeCurrent; empty when OSMesa does not support the pair.
+// The pixels of a buffer for `format` and `type` of OSMesaMakeCurrent; empty when OSMesa does not support the
+// pair.
 std::optional<pipeline::PixelLayout> pixel_layout(int format, GLenum type);
 
 }  // namespace terrazzo::osmesa

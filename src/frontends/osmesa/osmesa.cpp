@@ -1,11 +1,12 @@
 // The OSMesa API: contexts that draw into memory of the caller's. Behaviour follows Mesa 22.3's libOSMesa.
 //
-// Pictures are drawn in a target of our own and reach the caller's buffer at glFlush, glFinish and when the context
-// is let go. Nothing here throws: lack of memory makes a creation or MakeCurrent fail. Wrong arguments are told to
-// the debug log.
+// Pictures are drawn in a target of our own and reach the caller's buffer at glFlush, glFinish and when the
+// context is let go. Nothing here throws: lack of memory makes a creation or MakeCurrent fail. Wrong
+// arguments are told to the debug log.
 #include <GL/osmesa.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -24,21 +25,30 @@ namespace pipeline = terrazzo::pipeline;
 
 namespace {
 
-pipeline::RenderTargetDesc target_for(pipeline::PixelLayout layout, const gl::Config& config, int width, int height) {
-    using pipeline::ColorFormat;
+terrazzo::raster::TargetFormat target_format(pipeline::PixelLayout layout, const gl::Config& config) {
     using pipeline::PixelLayout;
-    pipeline::RenderTargetDesc desc{width, height, ColorFormat::kRgba8, true, config.depth_bits, config.stencil_bits};
+    using terrazzo::raster::ColorFormat;
+    terrazzo::raster::TargetFormat format;
+    format.depth_bits = static_cast<std::uint8_t>(config.depth_bits);
+    format.stencil_bits = static_cast<std::uint8_t>(config.stencil_bits);
     switch (layout) {
         case PixelLayout::kRgba16:
-        case PixelLayout::kRgb16: desc.color_format = ColorFormat::kRgba16; break;
-        case PixelLayout::kRgba32Float:
-        case PixelLayout::kRgb32Float: desc.color_format = ColorFormat::kRgba32Float; break;
-        case PixelLayout::kRgb565: desc.color_format = ColorFormat::kRgb565; break;
-        default: break;
+        case PixelLayout::kRgb16:
+            format.color = ColorFormat::kRgba16;
+            break;
+        case PixelLayout::kRgba32F:
+        case PixelLayout::kRgb32F:
+            format.color = ColorFormat::kRgba32F;
+            break;
+        case PixelLayout::kRgb565:
+            format.color = ColorFormat::kRgb565;
+            break;
+        default:
+            format.color = ColorFormat::kRgba8;
     }
-    desc.has_alpha = layout != PixelLayout::kRgb8 && layout != PixelLayout::kRgb16 &&
-                     layout != PixelLayout::kRgb32Float && layout != PixelLayout::kRgb565;
-    return desc;
+    format.has_alpha = layout != PixelLayout::kRgb8 && layout != PixelLayout::kRgb16 &&
+                       layout != PixelLayout::kRgb32F && layout != PixelLayout::kRgb565;
+    return format;
 }
 
 GLboolean refuse(const char* rule) {
@@ -61,8 +71,9 @@ OSMesaContext OSMesaCreateContextAttribs(const int* attributes, OSMesaContext sh
 
 OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits, GLint accum_bits,
                                      OSMesaContext share_list) {
-    const int attributes[] = {OSMESA_FORMAT,     static_cast<int>(format), OSMESA_DEPTH_BITS, depth_bits,
-                              OSMESA_STENCIL_BITS, stencil_bits,           OSMESA_ACCUM_BITS, accum_bits, 0};
+    const int attributes[] = {
+        OSMESA_FORMAT, static_cast<int>(format), OSMESA_DEPTH_BITS, depth_bits, OSMESA_STENCIL_BITS,
+        stencil_bits,  OSMESA_ACCUM_BITS,        accum_bits,        0};
     return OSMesaCreateContextAttribs(attributes, share_list);
 }
 
@@ -74,7 +85,8 @@ void OSMesaDestroyContext(OSMesaContext context) {
     if (context) osmesa::destroy(context);
 }
 
-GLboolean OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei width, GLsizei height) try {
+GLboolean OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei width,
+                            GLsizei height) try {
     if (!context && !buffer) {
         osmesa::set_current(nullptr);
         return GL_TRUE;
@@ -82,12 +94,15 @@ GLboolean OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type, GL
     if (!context) return refuse("the context is null");
     if (!buffer) return refuse("the buffer is null");
     if (width < 1 || height < 1) return refuse("width or height is less than 1");
-    if (width > gl::kMaxViewportSize || height > gl::kMaxViewportSize) return refuse("width or height is too large");
+    if (width > gl::kMaxViewportSize || height > gl::kMaxViewportSize)
+        return refuse("width or height is too large");
     const auto layout = osmesa::pixel_layout(context->format, type);
     if (!layout) return refuse("the format of the context does not go with this type");
 
     gl::Surface surface;
-    surface.target_desc = target_for(*layout, context->gl->config, width, height);
+    surface.width = width;
+    surface.height = height;
+    surface.format = target_format(*layout, context->gl->config);
     surface.present = osmesa::present;
     surface.front_end = context;
     gl::attach_surface(*context->gl, surface);
@@ -110,9 +125,14 @@ void OSMesaPixelStore(GLint pname, GLint value) {
     osmesa_context* context = osmesa::current_context();
     if (!context) return gl::debug_log("OSMesaPixelStore", "no context is current");
     switch (pname) {
-        case OSMESA_ROW_LENGTH: context->row_length = value; return;
-        case OSMESA_Y_UP: context->y_up = value != 0; return;
-        default: gl::debug_log("OSMesaPixelStore", "unknown pname");
+        case OSMESA_ROW_LENGTH:
+            context->row_length = value;
+            return;
+        case OSMESA_Y_UP:
+            context->y_up = value != 0;
+            return;
+        default:
+            gl::debug_log("OSMesaPixelStore", "unknown pname");
     }
 }
 
@@ -122,15 +142,30 @@ void OSMesaGetIntegerv(GLint pname, GLint* value) {
     const osmesa_context* current = osmesa::current_context();
     const osmesa_context& context = current ? *current : none;
     switch (pname) {
-        case OSMESA_WIDTH: *value = context.width; return;
-        case OSMESA_HEIGHT: *value = context.height; return;
-        case OSMESA_FORMAT: *value = context.format; return;
-        case OSMESA_TYPE: *value = static_cast<GLint>(context.type); return;
-        case OSMESA_ROW_LENGTH: *value = context.row_length; return;
-        case OSMESA_Y_UP: *value = context.y_up; return;
+        case OSMESA_WIDTH:
+            *value = context.width;
+            return;
+        case OSMESA_HEIGHT:
+            *value = context.height;
+            return;
+        case OSMESA_FORMAT:
+            *value = context.format;
+            return;
+        case OSMESA_TYPE:
+            *value = static_cast<GLint>(context.type);
+            return;
+        case OSMESA_ROW_LENGTH:
+            *value = context.row_length;
+            return;
+        case OSMESA_Y_UP:
+            *value = context.y_up;
+            return;
         case OSMESA_MAX_WIDTH:
-        case OSMESA_MAX_HEIGHT: *value = gl::kMaxViewportSize; return;
-        default: gl::debug_log("OSMesaGetIntegerv", "unknown pname");
+        case OSMESA_MAX_HEIGHT:
+            *value = gl::kMaxViewportSize;
+            return;
+        default:
+            gl::debug_log("OSMesaGetIntegerv", "unknown pname");
     }
 }
 
@@ -150,7 +185,8 @@ GLboolean OSMesaGetDepthBuffer(OSMesaContext context, GLint* width, GLint* heigh
     return GL_FALSE;
 }
 
-GLboolean OSMesaGetColorBuffer(OSMesaContext context, GLint* width, GLint* height, GLint* format, void** buffer) {
+GLboolean OSMesaGetColorBuffer(OSMesaContext context, GLint* width, GLint* height, GLint* format,
+                               void** buffer) {
     if (!width || !height || !format || !buffer) return GL_FALSE;
     const bool drawn_to = context && context->buffer;
     *width = drawn_to ? context->width : 0;
@@ -160,14 +196,15 @@ GLboolean OSMesaGetColorBuffer(OSMesaContext context, GLint* width, GLint* heigh
     return drawn_to;
 }
 
-// Without effect in Mesa 22.3 as well: the colours of fixed-function vertices are clamped before they are drawn.
+// Without effect in Mesa 22.3 as well: the colours of fixed-function vertices are clamped before they are
+// drawn.
 void OSMesaColorClamp(GLboolean) {}
 
 // There are no filters to turn on.
 void OSMesaPostprocess(OSMesaContext, const char*, unsigned) {}
 
 OSMESAproc OSMesaGetProcAddress(const char* name) {
-    static constexpr std::pair<const char*, OSMESAproc> kFunctions[] = {
+    static const std::pair<const char*, OSMESAproc> kFunctions[] = {
         {"OSMesaColorClamp", reinterpret_cast<OSMESAproc>(OSMesaColorClamp)},
         {"OSMesaCreateContext", reinterpret_cast<OSMESAproc>(OSMesaCreateContext)},
         {"OSMesaCreateContextAttribs", reinterpret_cast<OSMESAproc>(OSMesaCreateContextAttribs)},

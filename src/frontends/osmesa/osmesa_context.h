@@ -1,7 +1,7 @@
 // What an OSMesaContext is: a GL context, the client's buffer and how its rows lie.
 //
-// Threads: a context is current in at most one thread at a time. One that is destroyed while another thread has it
-// current lives until that thread lets go of it.
+// Threads: a context is current in at most one thread at a time. One that is destroyed while another thread
+// has it current lives until that thread lets go of it.
 #pragma once
 
 #include <GL/osmesa.h>

@@ -21,8 +21,9 @@ void present(gl::Context& ctx, void* front_end) {
 }
 
 void read_depth(osmesa_context& context) {
-    const pipeline::PixelLayout layout = context.gl->config.depth_bits == 16 ? pipeline::PixelLayout::kDepth16
-                                                                             : pipeline::PixelLayout::kDepth24Stencil8;
+    const pipeline::PixelLayout layout = context.gl->config.depth_bits == 16
+                                             ? pipeline::PixelLayout::kDepth16
+                                             : pipeline::PixelLayout::kDepth24Stencil8;
     const std::ptrdiff_t stride = std::ptrdiff_t{context.width} * pipeline::bytes_per_pixel(layout);
     context.depth.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(context.height));
     gl::copy_picture(*context.gl, layout, context.depth.data(), stride);

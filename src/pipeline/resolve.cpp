@@ -1,0 +1,171 @@
+// Copies tiles to rows; see resolve.h. A bin is read tile by tile, in the order of its memory, and each
+// tile's four rows go to four rows of the picture. A bin that was only cleared is not filled for this: its
+// colour is written out.
+#include "pipeline/resolve.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "raster/color_format.h"
+
+namespace terrazzo::pipeline {
+namespace {
+
+using raster::Bin;
+using raster::kBinSize;
+using raster::kTileSize;
+using raster::Target;
+
+// Per layout: `kPixelBytes`, and `store`, which writes `count` consecutive pixels of a bin, beginning with
+// number `first` in the order of its memory.
+
+template <typename Word, Word (*kConvert)(Word)>
+struct Words {
+    static constexpr int kPixelBytes = sizeof(Word);
+
+    static void store(const Bin& bin, int first, int count, std::byte* out) {
+        const std::byte* in = bin.color + static_cast<std::size_t>(first) * sizeof(Word);
+        for (int i = 0; i < count; ++i) {
+            Word word;
+            std::memcpy(&word, in + static_cast<std::size_t>(i) * sizeof word, sizeof word);
+            word = kConvert(word);
+            std::memcpy(out + static_cast<std::size_t>(i) * sizeof word, &word, sizeof word);
+        }
+    }
+};
+
+uint32_t rgba_to_bgra(uint32_t p) {
+    return (p & 0xff00ff00u) | (p & 0xffu) << 16 | (p >> 16 & 0xffu);
+}
+uint32_t rgba_to_argb(uint32_t p) {
+    return p << 8 | p >> 24;
+}
+
+// Whole pixels, or their first bytes: red, green and blue without alpha.
+template <int kBytesIn, int kBytesOut>
+struct Bytes {
+    static constexpr int kPixelBytes = kBytesOut;
+
+    static void store(const Bin& bin, int first, int count, std::byte* out) {
+        const std::byte* in = bin.color + static_cast<std::size_t>(first) * kBytesIn;
+        if constexpr (kBytesIn == kBytesOut) {
+            std::memcpy(out, in, static_cast<std::size_t>(count) * kBytesOut);
+        } else {
+            for (int i = 0; i < count; ++i) std::memcpy(out + i * kBytesOut, in + i * kBytesIn, kBytesOut);
+        }
+    }
+};
+
+struct Depth16 {
+    static constexpr int kPixelBytes = 2;
+
+    static void store(const Bin& bin, int first, int count, std::byte* out) {
+        for (int i = 0; i < count; ++i) {
+            const auto depth = static_cast<uint16_t>(bin.depth[first + i]);
+            std::memcpy(out + i * 2, &depth, sizeof depth);
+        }
+    }
+};
+
+struct Depth24Stencil8 {
+    static constexpr int kPixelBytes = 4;
+
+    static void store(const Bin& bin, int first, int count, std::byte* out) {
+        for (int i = 0; i < count; ++i) {
+            const uint32_t stencil = bin.stencil ? bin.stencil[first + i] : 0u;
+            const uint32_t word = bin.depth[first + i] | stencil << 24;
+            std::memcpy(out + i * 4, &word, sizeof word);
+        }
+    }
+};
+
+struct Rows {
+    std::byte* first;  // pixel (0, 0) of the bin
+    std::ptrdiff_t stride;
+    int width, height;  // of the part of the bin that is in the target
+};
+
+template <class Layout>
+void copy_tiles(const Bin& bin, const Rows& rows) {
+    for (int y = 0; y < rows.height; y += kTileSize) {
+        const int tile_rows = std::min(kTileSize, rows.height - y);
+        for (int x = 0; x < rows.width; x += kTileSize) {
+            const int count = std::min(kTileSize, rows.width - x);
+            std::byte* out = rows.first + y * rows.stride + std::ptrdiff_t{x} * Layout::kPixelBytes;
+            const int tile = raster::pixel_index(x, y);
+            if (tile_rows == kTileSize && count == kTileSize) {
+                for (int r = 0; r < kTileSize; ++r)
+                    Layout::store(bin, tile + r * kTileSize, kTileSize, out + r * rows.stride);
+            } else {
+                for (int r = 0; r < tile_rows; ++r)
+                    Layout::store(bin, tile + r * kTileSize, count, out + r * rows.stride);
+            }
+        }
+    }
+}
+
+// A bin of which only the clear colour is known: one tile of that colour, again and again.
+template <class Layout>
+void copy_clear_color(const Target& target, const Bin& bin, const Rows& rows) {
+    alignas(16) std::array<std::byte, kTileSize * 16> tile_row;
+    raster::fill_color(target.format().color, bin.state->clear.color, tile_row.data(), kTileSize);
+    Bin one_tile_row = bin;
+    one_tile_row.color = tile_row.data();
+    for (int x = 0; x < rows.width; x += kTileSize) {
+        Layout::store(one_tile_row, 0, std::min(kTileSize, rows.width - x),
+                      rows.first + std::ptrdiff_t{x} * Layout::kPixelBytes);
+    }
+    const std::size_t row_bytes = static_cast<std::size_t>(rows.width) * Layout::kPixelBytes;
+    for (int y = 1; y < rows.height; ++y) std::memcpy(rows.first + y * rows.stride, rows.first, row_bytes);
+}
+
+template <class Layout>
+void copy_bin(Target& target, int index, std::byte* row0, std::ptrdiff_t stride) {
+    constexpr bool kIsColor = !std::is_same_v<Layout, Depth16> && !std::is_same_v<Layout, Depth24Stencil8>;
+    if (!kIsColor) target.materialize(index);
+    const Bin bin = target.bin(index);
+    const Rows rows{row0 + bin.y * stride + std::ptrdiff_t{bin.x} * Layout::kPixelBytes, stride,
+                    std::min(kBinSize, target.width() - bin.x), std::min(kBinSize, target.height() - bin.y)};
+    if (kIsColor && bin.state->pending.color) {
+        copy_clear_color<Layout>(target, bin, rows);
+    } else {
+        copy_tiles<Layout>(bin, rows);
+    }
+}
+
+}  // namespace
+
+void resolve_bin(Target& target, int bin, PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
+    switch (layout) {
+        case PixelLayout::kRgba8:
+            return copy_bin<Bytes<4, 4>>(target, bin, row0, stride);
+        case PixelLayout::kBgra8:
+            return copy_bin<Words<uint32_t, rgba_to_bgra>>(target, bin, row0, stride);
+        case PixelLayout::kArgb8:
+            return copy_bin<Words<uint32_t, rgba_to_argb>>(target, bin, row0, stride);
+        case PixelLayout::kRgb8:
+            return copy_bin<Bytes<4, 3>>(target, bin, row0, stride);
+        case PixelLayout::kRgba16:
+            return copy_bin<Bytes<8, 8>>(target, bin, row0, stride);
+        case PixelLayout::kRgb16:
+            return copy_bin<Bytes<8, 6>>(target, bin, row0, stride);
+        case PixelLayout::kRgba32F:
+            return copy_bin<Bytes<16, 16>>(target, bin, row0, stride);
+        case PixelLayout::kRgb32F:
+            return copy_bin<Bytes<16, 12>>(target, bin, row0, stride);
+        case PixelLayout::kRgb565:
+            return copy_bin<Bytes<2, 2>>(target, bin, row0, stride);
+        case PixelLayout::kDepth16:
+            return copy_bin<Depth16>(target, bin, row0, stride);
+        case PixelLayout::kDepth24Stencil8:
+            return copy_bin<Depth24Stencil8>(target, bin, row0, stride);
+    }
+}
+
+void resolve(Target& target, PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
+    for (int bin = 0; bin < target.bin_count(); ++bin) resolve_bin(target, bin, layout, row0, stride);
+}
+
+}  // namespace terrazzo::pipeline
