@@ -1,6 +1,4 @@
 // terrazzo draw: one scene with one library, as a picture.
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/core.h>
 
 #include <memory>
@@ -8,6 +6,7 @@
 #include "commands.h"
 #include "kit/child.h"
 #include "places.h"
+#include "report/pictures.h"
 #include "rounds.h"
 #include "scene_arguments.h"
 
@@ -24,13 +23,6 @@ struct Options {
     int height = 1024;
 };
 
-void write_picture(const std::string& path, const std::vector<std::uint8_t>& rgba, int width, int height) {
-    const OIIO::ImageSpec spec(width, height, 4, OIIO::TypeDesc::UINT8);
-    const OIIO::ImageBuf bottom_up(spec, const_cast<std::uint8_t*>(rgba.data()));
-    OIIO::ImageBuf picture = OIIO::ImageBufAlgo::channels(OIIO::ImageBufAlgo::flip(bottom_up), 3, {});
-    if (!picture.write(path)) throw std::runtime_error(picture.geterror());
-}
-
 void run(const Options& options) {
     kit::ChildRequest request;
     request.executable = draw_program();
@@ -42,13 +34,14 @@ void run(const Options& options) {
                               {"height", options.height},
                               {"planes", true}});
     request.environment = bench::thread_environment(options.threads);
-    const kit::ChildReport report = kit::run_in_child(request);
-    if (!report.finished()) throw std::runtime_error(report.message + "\n" + report.output);
-    write_picture(options.output, report.result["colour"].get_binary(), options.width, options.height);
+    const kit::ChildReport child = kit::run_in_child(request);
+    if (!child.finished()) throw std::runtime_error(child.message + "\n" + child.output);
+    const std::vector<std::uint8_t>& colour = child.result["colour"].get_binary();
+    report::write_picture(report::picture_of(colour, options.width, options.height, 4), options.output);
     fmt::print("{} by {}, first frame after {:.1f} ms\n", options.output,
-               report.result["renderer"].get<std::string>(),
-               report.result["first_frame_seconds"].get<double>() * 1e3);
-    for (const auto& error : report.result["errors"]) fmt::print("GL error: {}\n", error.get<std::string>());
+               child.result["renderer"].get<std::string>(),
+               child.result["first_frame_seconds"].get<double>() * 1e3);
+    for (const auto& error : child.result["errors"]) fmt::print("GL error: {}\n", error.get<std::string>());
 }
 
 }  // namespace
