@@ -70,7 +70,8 @@ Solid make_torus(float ring, float tube, int ring_steps, int tube_steps) {
             const float s = static_cast<float>(i) / static_cast<float>(ring_steps);
             const float t = static_cast<float>(j) / static_cast<float>(tube_steps);
             const float a = kTurn * s, b = kTurn * t;
-            const std::array<float, 3> normal{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+            const std::array<float, 3> normal{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b),
+                                              std::sin(b)};
             push(solid,
                  {std::cos(a) * (ring + tube * std::cos(b)), std::sin(a) * (ring + tube * std::cos(b)),
                   tube * std::sin(b)},
@@ -109,7 +110,8 @@ Solid make_box(float half_edge) {
                     half_edge * (normal[axis] + (2 * s - 1) * right[axis] + (2 * t - 1) * up[axis]);
             push(solid, position, {normal[0], normal[1], normal[2]}, s, t);
         }
-        for (const int offset : {0, 1, 2, 0, 2, 3}) solid.indices.push_back(static_cast<std::uint16_t>(first + offset));
+        for (const int offset : {0, 1, 2, 0, 2, 3})
+            solid.indices.push_back(static_cast<std::uint16_t>(first + offset));
     }
     return solid;
 }
@@ -169,7 +171,8 @@ void striped_backdrop(const Gl& gl, int bands) {
     const float width = static_cast<float>(kSize) / static_cast<float>(bands);
     for (int band = 0; band < bands; ++band) {
         const auto x = static_cast<float>(band);
-        const Colour colour = hue(x / static_cast<float>(bands), 0.8F, 0.25F + 0.75F * x / static_cast<float>(bands));
+        const Colour colour =
+            hue(x / static_cast<float>(bands), 0.8F, 0.25F + 0.75F * x / static_cast<float>(bands));
         gl.Color4fv(colour.data());
         rectangle(gl, x * width, 0, (x + 1) * width, kSize);
     }
@@ -183,7 +186,8 @@ std::vector<std::uint8_t> painted_texels(int width, int height, std::uint32_t se
         for (int x = 0; x < width; ++x) {
             const bool light = (x / cell + y / cell) % 2 == 0;
             const int dx = 2 * x - width / 2, dy = 2 * y - height * 3 / 2;
-            const bool disc = dx * dx * 4 / (width * width / 4 + 1) + dy * dy * 4 / (height * height / 4 + 1) < 1;
+            const bool disc =
+                dx * dx * 4 / (width * width / 4 + 1) + dy * dy * 4 / (height * height / 4 + 1) < 1;
             const int base = light ? 190 : 70;
             const int r = disc ? 250 : base * x / width + 30 + static_cast<int>(seed * 53 % 64);
             const int g = disc ? 60 + x % 32 : base * y / height + 20;
@@ -210,8 +214,8 @@ void for_cells(int columns, int rows, const std::function<void(int, float, float
     const float width = static_cast<float>(kSize) / static_cast<float>(columns);
     const float height = static_cast<float>(kSize) / static_cast<float>(rows);
     for (int cell = 0; cell < columns * rows; ++cell)
-        draw(cell, static_cast<float>(cell % columns) * width, static_cast<float>(cell / columns) * height, width,
-             height);
+        draw(cell, static_cast<float>(cell % columns) * width, static_cast<float>(cell / columns) * height,
+             width, height);
 }
 
 void for_viewports(const Gl& gl, int columns, int rows, const std::function<void(int)>& draw) {

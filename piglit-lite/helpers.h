@@ -51,7 +51,8 @@ void draw_solid(const Gl& gl, const Solid& solid, unsigned parts);
 
 // A quad in the current coordinates; texture 0..tiles.
 void rectangle(const Gl& gl, float x0, float y0, float x1, float y1, float z = 0);
-void textured_rectangle(const Gl& gl, float x0, float y0, float x1, float y1, float tiles_s = 1, float tiles_t = 1);
+void textured_rectangle(const Gl& gl, float x0, float y0, float x1, float y1, float tiles_s = 1,
+                        float tiles_t = 1);
 // Wide bands in changing hues over the whole window, to be seen through what is drawn next.
 void striped_backdrop(const Gl& gl, int bands = 8);
 

@@ -22,7 +22,8 @@ std::string figure(const OIIO::ImageBuf& picture, const std::string& caption) {
 }
 
 bool flat(const std::vector<std::uint8_t>& plane) {
-    return plane.empty() || std::all_of(plane.begin(), plane.end(), [&](std::uint8_t v) { return v == plane[0]; });
+    return plane.empty() ||
+           std::all_of(plane.begin(), plane.end(), [&](std::uint8_t v) { return v == plane[0]; });
 }
 
 std::string pictures(const SceneReport& report) {
@@ -30,7 +31,8 @@ std::string pictures(const SceneReport& report) {
     std::string html = "<div class=\"pictures\">";
     if (report.ours.drawn()) html += figure(colour_picture(scene, report.ours), "ours");
     if (report.theirs.drawn()) html += figure(colour_picture(scene, report.theirs), "OSMesa");
-    if (report.ours.drawn() && report.theirs.drawn() && report.ours.colour.size() == report.theirs.colour.size())
+    if (report.ours.drawn() && report.theirs.drawn() &&
+        report.ours.colour.size() == report.theirs.colour.size())
         html += figure(report::magnified_difference(colour_picture(scene, report.ours),
                                                     colour_picture(scene, report.theirs), kMagnification),
                        fmt::format("difference x {:g}", kMagnification));
@@ -50,13 +52,16 @@ std::string figures_row(const char* name, const Comparison& c) {
 }
 
 std::string card(const Options& options, const SceneReport& report) {
-    std::string html = fmt::format("<div class=\"card {}\" id=\"{}\"><h3>{}</h3><div class=\"theme\">{}</div>\n",
-                                   report.passed() ? "good" : "bad", report.scene->name, report.scene->name,
-                                   escaped(report.scene->theme));
+    std::string html =
+        fmt::format("<div class=\"card {}\" id=\"{}\"><h3>{}</h3><div class=\"theme\">{}</div>\n",
+                    report.passed() ? "good" : "bad", report.scene->name, report.scene->name,
+                    escaped(report.scene->theme));
     html += pictures(report);
     html +=
-        "<div class=\"figures\"><table><tr><th>against OSMesa</th><th>within tolerance</th><th>pixels off</th>"
-        "<th>largest, /255</th><th>mean, /255</th><th>coverage</th><th>depth steps</th><th>stencil</th></tr>\n";
+        "<div class=\"figures\"><table><tr><th>against OSMesa</th><th>within tolerance</th><th>pixels "
+        "off</th>"
+        "<th>largest, /255</th><th>mean, /255</th><th>coverage</th><th>depth "
+        "steps</th><th>stencil</th></tr>\n";
     html += figures_row("ours", report.comparison);
     if (options.softpipe) html += figures_row("softpipe", report.softpipe_comparison);
     html += "</table></div>\n";
@@ -94,9 +99,12 @@ Totals count(const std::vector<SceneReport>& reports) {
 std::string html_report(const Options& options, const std::vector<SceneReport>& reports) {
     const Totals totals = count(reports);
     std::string html = report::page_head("piglit-lite");
-    html += "<h1>piglit-lite</h1><p class=\"lead\">Each scene is drawn in a child process per library and compared "
-            "pixel by pixel: colour within one step of 255, coverage and stencil identical, depth within one step, "
-            "and the same bits from every thread count and instruction set of ours.</p>\n";
+    html +=
+        "<h1>piglit-lite</h1><p class=\"lead\">Each scene is drawn in a child process per library and "
+        "compared "
+        "pixel by pixel: colour within one step of 255, coverage and stencil identical, depth within one "
+        "step, "
+        "and the same bits from every thread count and instruction set of ours.</p>\n";
     html += fmt::format("<p>ours: {}<br>reference: {}</p>\n",
                         escaped(reports.empty() ? "" : reports.front().ours.renderer),
                         escaped(reports.empty() ? "" : reports.front().theirs.renderer));
@@ -105,9 +113,10 @@ std::string html_report(const Options& options, const std::vector<SceneReport>& 
         "<div><b>{}</b><span>pictures identical to the byte</span></div>",
         totals.passed, reports.size(), totals.identical);
     if (options.softpipe)
-        html += fmt::format("<div><b>{}</b><span>at least as close as softpipe</span></div>"
-                            "<div><b>{}</b><span>behind softpipe</span></div>",
-                            totals.closer, totals.behind);
+        html += fmt::format(
+            "<div><b>{}</b><span>at least as close as softpipe</span></div>"
+            "<div><b>{}</b><span>behind softpipe</span></div>",
+            totals.closer, totals.behind);
     html += "</div>\n";
     const bool any_failed = totals.passed != reports.size();
     if (any_failed) {

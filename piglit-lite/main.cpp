@@ -1,5 +1,5 @@
-// piglit-lite: draws scenes with our library and the reference and compares them. Exit status 0 when every chosen
-// scene keeps its promise.
+// piglit-lite: draws scenes with our library and the reference and compares them. Exit status 0 when every
+// chosen scene keeps its promise.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -26,14 +26,17 @@ struct CommandLine {
     bool list = false;
 };
 
-fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+fs::path own_folder() {
+    return fs::read_symlink("/proc/self/exe").parent_path();
+}
 
 std::vector<const Scene*> chosen_scenes(const std::vector<std::string>& filters) {
     std::vector<const Scene*> chosen;
     for (const Scene& scene : scenes()) {
         bool wanted = filters.empty();
         for (const std::string& filter : filters)
-            wanted |= std::string(scene.name).find(filter) != std::string::npos || chapter_of(scene) == filter;
+            wanted |=
+                std::string(scene.name).find(filter) != std::string::npos || chapter_of(scene) == filter;
         if (wanted) chosen.push_back(&scene);
     }
     return chosen;
@@ -50,10 +53,14 @@ void define_options(CLI::App& app, CommandLine& line) {
     app.add_option("--ours", options.ours, "Library under test; softpipe to judge Mesa against itself")
         ->capture_default_str();
     app.add_option("--theirs", options.theirs, "Reference library")->capture_default_str();
-    app.add_option("--threads", options.threads, "Thread counts of ours")->delimiter(',')->capture_default_str();
+    app.add_option("--threads", options.threads, "Thread counts of ours")
+        ->delimiter(',')
+        ->capture_default_str();
     app.add_option("--isa", options.isas, "Instruction sets of ours; none: its own choice")->delimiter(',');
     app.add_flag("!--no-softpipe", options.softpipe, "Leave softpipe out of the report");
-    app.add_option("--jobs", options.jobs, "Scenes at a time")->check(CLI::PositiveNumber)->capture_default_str();
+    app.add_option("--jobs", options.jobs, "Scenes at a time")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     app.add_option("--report", line.report_folder, "Folder for report.html and junit.xml");
     app.add_option("--contact", line.contact_path, "Write the reference's pictures as one PNG");
     // The name is GoogleTest's so that meson can ask for it.
@@ -62,9 +69,10 @@ void define_options(CLI::App& app, CommandLine& line) {
 
 void print_result(const SceneReport& report) {
     const Comparison& c = report.comparison;
-    fmt::print("{:<4} {:<44} off {:>6} max {:>5.1f} coverage {:>4} depth {:>4} stencil {:>4}   softpipe off {:>6}\n",
-               report.passed() ? "ok" : "FAIL", report.scene->name, c.differing, c.largest_difference, c.coverage,
-               c.largest_depth_difference, c.stencil_differing, report.softpipe_comparison.differing);
+    fmt::print(
+        "{:<4} {:<44} off {:>6} max {:>5.1f} coverage {:>4} depth {:>4} stencil {:>4}   softpipe off {:>6}\n",
+        report.passed() ? "ok" : "FAIL", report.scene->name, c.differing, c.largest_difference, c.coverage,
+        c.largest_depth_difference, c.stencil_differing, report.softpipe_comparison.differing);
     for (const std::string& problem : report.problems) fmt::print("       {}\n", problem);
     std::fflush(stdout);
 }

@@ -15,7 +15,9 @@ namespace {
 using OIIO::TypeDesc;
 
 TypeDesc channel_type(GLenum type) {
-    return type == GL_FLOAT ? TypeDesc::FLOAT : type == GL_UNSIGNED_SHORT ? TypeDesc::UINT16 : TypeDesc::UINT8;
+    return type == GL_FLOAT            ? TypeDesc::FLOAT
+           : type == GL_UNSIGNED_SHORT ? TypeDesc::UINT16
+                                       : TypeDesc::UINT8;
 }
 
 std::vector<std::uint8_t> expanded_565(const std::vector<std::uint8_t>& bytes) {
@@ -35,7 +37,8 @@ std::vector<std::uint8_t> tight_rows(const Scene& scene, const std::vector<std::
     const kit::ContextOptions& context = scene.context;
     if (context.row_length == 0 || context.row_length == context.width) return bytes;
     const std::size_t pitch = bytes.size() / static_cast<std::size_t>(context.height);
-    const std::size_t row = pitch * static_cast<std::size_t>(context.width) / static_cast<std::size_t>(context.row_length);
+    const std::size_t row =
+        pitch * static_cast<std::size_t>(context.width) / static_cast<std::size_t>(context.row_length);
     std::vector<std::uint8_t> tight;
     for (std::size_t y = 0; y < static_cast<std::size_t>(context.height); ++y)
         tight.insert(tight.end(), bytes.begin() + static_cast<std::ptrdiff_t>(y * pitch),
@@ -57,8 +60,8 @@ std::array<float, 4> background(const Scene& scene) {
     return colour;
 }
 
-bool is_background(const OIIO::ImageBuf::ConstIterator<float>& pixel, const std::array<float, 4>& colour, int channels,
-                   float threshold) {
+bool is_background(const OIIO::ImageBuf::ConstIterator<float>& pixel, const std::array<float, 4>& colour,
+                   int channels, float threshold) {
     for (int channel = 0; channel < channels; ++channel)
         if (std::abs(pixel[channel] - colour[static_cast<std::size_t>(channel)]) > threshold) return false;
     return true;
@@ -71,7 +74,8 @@ OIIO::ImageBuf colour_picture(const Scene& scene, const Drawing& drawing) {
     std::vector<std::uint8_t> bytes = tight_rows(scene, drawing.colour);
     const bool three = context.format == OSMESA_RGB || context.format == OSMESA_RGB_565;
     if (context.type == GL_UNSIGNED_SHORT_5_6_5) bytes = expanded_565(bytes);
-    const TypeDesc type = context.type == GL_UNSIGNED_SHORT_5_6_5 ? TypeDesc::UINT8 : channel_type(context.type);
+    const TypeDesc type =
+        context.type == GL_UNSIGNED_SHORT_5_6_5 ? TypeDesc::UINT8 : channel_type(context.type);
     OIIO::ImageBuf picture = report::picture_of(bytes, context.width, context.height, three ? 3 : 4, type);
     if (!context.y_up) picture = OIIO::ImageBufAlgo::flip(picture);
     return reordered(picture, context.format);
@@ -82,7 +86,8 @@ OIIO::ImageBuf depth_picture(const Scene& scene, const Drawing& drawing) {
     std::vector<std::uint8_t> tones;
     for (const std::uint32_t depth : drawing.depth) {
         const double range = std::max(1.0, static_cast<double>(*farthest - *nearest));
-        const auto tone = static_cast<std::uint8_t>(255 - 255 * (static_cast<double>(depth - *nearest) / range));
+        const auto tone =
+            static_cast<std::uint8_t>(255 - 255 * (static_cast<double>(depth - *nearest) / range));
         tones.insert(tones.end(), 3, tone);
     }
     return report::picture_of(tones, scene.context.width, scene.context.height, 3);
@@ -104,8 +109,10 @@ std::size_t coverage_difference(const Scene& scene, const OIIO::ImageBuf& a, con
     std::size_t count = 0;
     OIIO::ImageBuf::ConstIterator<float> in_a(a), in_b(b);
     for (; !in_a.done(); ++in_a, ++in_b) {
-        const bool only_b = is_background(in_a, colour, channels, kExact) && !is_background(in_b, colour, channels, threshold);
-        const bool only_a = is_background(in_b, colour, channels, kExact) && !is_background(in_a, colour, channels, threshold);
+        const bool only_b = is_background(in_a, colour, channels, kExact) &&
+                            !is_background(in_b, colour, channels, threshold);
+        const bool only_a = is_background(in_b, colour, channels, kExact) &&
+                            !is_background(in_a, colour, channels, threshold);
         if (only_a || only_b) ++count;
     }
     return count;

@@ -11,7 +11,8 @@ namespace {
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-Drawing draw(const Options& options, const Scene& scene, const std::string& library, Environment environment) {
+Drawing draw(const Options& options, const Scene& scene, const std::string& library,
+             Environment environment) {
     kit::ChildRequest request;
     request.executable = options.draw_program;
     request.task = "draw";
@@ -56,7 +57,8 @@ SceneReport run_scene(const Options& options, const Scene& scene) {
     const auto start = std::chrono::steady_clock::now();
     SceneReport report;
     report.scene = &scene;
-    report.theirs = draw(options, scene, options.theirs, {{"GALLIUM_DRIVER", "llvmpipe"}, {"LP_NUM_THREADS", "0"}});
+    report.theirs =
+        draw(options, scene, options.theirs, {{"GALLIUM_DRIVER", "llvmpipe"}, {"LP_NUM_THREADS", "0"}});
     draw_ours(options, report);
     report.comparison = compare(scene, report.ours, report.theirs);
     report.problems.insert(report.problems.begin(), report.comparison.problems.begin(),

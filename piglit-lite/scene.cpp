@@ -14,7 +14,9 @@ std::vector<Scene>& registry() {
 
 }  // namespace
 
-Registration::Registration(const Scene& scene) { registry().push_back(scene); }
+Registration::Registration(const Scene& scene) {
+    registry().push_back(scene);
+}
 
 const std::vector<Scene>& scenes() {
     // Files register in link order; the list is the same however the program is linked.

@@ -1,7 +1,7 @@
 // One scene = one function over the GL function table, one theme, drawn once per library in a child process.
-// Input: a current context of the scene's format, cleared to kBackground, depth 1, stencil 0, everything else in its
-// initial state. Output: pixels, and values noted by the scene.
-// Invariant: a scene is deterministic and leaves no GL error pending (errors it provokes, it takes and notes).
+// Input: a current context of the scene's format, cleared to kBackground, depth 1, stencil 0, everything else
+// in its initial state. Output: pixels, and values noted by the scene. Invariant: a scene is deterministic
+// and leaves no GL error pending (errors it provokes, it takes and notes).
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace terrazzo::piglit {
 
 using kit::Gl;
 
-// Promise P2: within 1/255 on at least 99.98 % of pixels, coverage and stencil identical, depth within one step.
-// A scene that states another share says why beside it.
+// Promise P2: within 1/255 on at least 99.98 % of pixels, coverage and stencil identical, depth within one
+// step. A scene that states another share says why beside it.
 struct Tolerance {
-    double colour_steps = 1;           // of 1/255
-    double differing_share = 0.0002;   // of all pixels may differ by more than that
-    double coverage_share = 0;         // of all pixels may be drawn in one picture and background in the other
-    double depth_steps = 1;            // of the depth format
-    double depth_share = 0;            // of all pixels may differ by more than that
+    double colour_steps = 1;          // of 1/255
+    double differing_share = 0.0002;  // of all pixels may differ by more than that
+    double coverage_share = 0;        // of all pixels may be drawn in one picture and background in the other
+    double depth_steps = 1;           // of the depth format
+    double depth_share = 0;           // of all pixels may differ by more than that
     double stencil_share = 0;
 };
 
@@ -68,12 +68,12 @@ const Scene* find_scene(const std::string& name);
 std::string chapter_of(const Scene& scene);  // file name without folder and ending
 
 // SCENE(name, "theme", .tolerance = {...}) { body using gl and notes }
-#define SCENE(scene_name, theme_text, ...)                                                              \
-    static void scene_name([[maybe_unused]] const terrazzo::piglit::Gl& gl,                             \
-                           [[maybe_unused]] terrazzo::piglit::Notes& notes);                            \
-    static const terrazzo::piglit::Registration scene_name##_registration(terrazzo::piglit::Scene{      \
-        .name = #scene_name, .file = __FILE__, .draw = scene_name, .theme = theme_text, __VA_ARGS__});  \
-    static void scene_name([[maybe_unused]] const terrazzo::piglit::Gl& gl,                             \
+#define SCENE(scene_name, theme_text, ...)                                                             \
+    static void scene_name([[maybe_unused]] const terrazzo::piglit::Gl& gl,                            \
+                           [[maybe_unused]] terrazzo::piglit::Notes& notes);                           \
+    static const terrazzo::piglit::Registration scene_name##_registration(terrazzo::piglit::Scene{     \
+        .name = #scene_name, .file = __FILE__, .draw = scene_name, .theme = theme_text, __VA_ARGS__}); \
+    static void scene_name([[maybe_unused]] const terrazzo::piglit::Gl& gl,                            \
                            [[maybe_unused]] terrazzo::piglit::Notes& notes)
 
 }  // namespace terrazzo::piglit

@@ -47,7 +47,8 @@ SCENE(vertex_all_primitives, "each of the ten Begin modes over the same rings of
     });
 }
 
-SCENE(vertex_incomplete_primitives, "Begin/End pairs with too few or left-over vertices draw only whole primitives") {
+SCENE(vertex_incomplete_primitives,
+      "Begin/End pairs with too few or left-over vertices draw only whole primitives") {
     pixel_projection(gl);
     gl.PointSize(4);
     gl.LineWidth(2);
@@ -56,8 +57,7 @@ SCENE(vertex_incomplete_primitives, "Begin/End pairs with too few or left-over v
         const int count = cell / 10;
         const Flower flower{x + w / 2, y + h / 2, w * 0.42F};
         gl.Begin(mode);
-        for (int i = 0; i < count; ++i)
-            coloured_vertex(gl, flower.at(i, 8, 0), static_cast<float>(i) / 8);
+        for (int i = 0; i < count; ++i) coloured_vertex(gl, flower.at(i, 8, 0), static_cast<float>(i) / 8);
         gl.End();
     });
 }
@@ -89,20 +89,57 @@ SCENE(vertex_position_forms, "Vertex2/3/4 of short, int, float and double, scala
     triangle([&](int x, int y) { gl.Vertex3d(x, y, -0.5); });
     triangle([&](int x, int y) { gl.Vertex4s(static_cast<GLshort>(x), static_cast<GLshort>(y), 0, 1); });
     triangle([&](int x, int y) { gl.Vertex4i(2 * x, 2 * y, 0, 2); });
-    triangle([&](int x, int y) { gl.Vertex4f(static_cast<float>(x) / 2, static_cast<float>(y) / 2, 0, 0.5F); });
+    triangle(
+        [&](int x, int y) { gl.Vertex4f(static_cast<float>(x) / 2, static_cast<float>(y) / 2, 0, 0.5F); });
     triangle([&](int x, int y) { gl.Vertex4d(x * 0.25, y * 0.25, 0, 0.25); });
-    triangle([&](int x, int y) { const GLshort v[] = {static_cast<GLshort>(x), static_cast<GLshort>(y)}; gl.Vertex2sv(v); });
-    triangle([&](int x, int y) { const GLint v[] = {x, y}; gl.Vertex2iv(v); });
-    triangle([&](int x, int y) { const GLfloat v[] = {static_cast<float>(x), static_cast<float>(y)}; gl.Vertex2fv(v); });
-    triangle([&](int x, int y) { const GLdouble v[] = {x + 0.25, y + 0.75}; gl.Vertex2dv(v); });
-    triangle([&](int x, int y) { const GLshort v[] = {static_cast<GLshort>(x), static_cast<GLshort>(y), 1}; gl.Vertex3sv(v); });
-    triangle([&](int x, int y) { const GLint v[] = {x, y, -1}; gl.Vertex3iv(v); });
-    triangle([&](int x, int y) { const GLfloat v[] = {static_cast<float>(x), static_cast<float>(y), 0}; gl.Vertex3fv(v); });
-    triangle([&](int x, int y) { const GLdouble v[] = {x + 0.0, y + 0.0, 0.25}; gl.Vertex3dv(v); });
-    triangle([&](int x, int y) { const GLshort v[] = {static_cast<GLshort>(x * 3), static_cast<GLshort>(y * 3), 0, 3}; gl.Vertex4sv(v); });
-    triangle([&](int x, int y) { const GLint v[] = {x * 5, y * 5, 0, 5}; gl.Vertex4iv(v); });
-    triangle([&](int x, int y) { const GLfloat v[] = {static_cast<float>(x), static_cast<float>(y), 0, 1}; gl.Vertex4fv(v); });
-    triangle([&](int x, int y) { const GLdouble v[] = {x * 8.0, y * 8.0, 0, 8}; gl.Vertex4dv(v); });
+    triangle([&](int x, int y) {
+        const GLshort v[] = {static_cast<GLshort>(x), static_cast<GLshort>(y)};
+        gl.Vertex2sv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLint v[] = {x, y};
+        gl.Vertex2iv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLfloat v[] = {static_cast<float>(x), static_cast<float>(y)};
+        gl.Vertex2fv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLdouble v[] = {x + 0.25, y + 0.75};
+        gl.Vertex2dv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLshort v[] = {static_cast<GLshort>(x), static_cast<GLshort>(y), 1};
+        gl.Vertex3sv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLint v[] = {x, y, -1};
+        gl.Vertex3iv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLfloat v[] = {static_cast<float>(x), static_cast<float>(y), 0};
+        gl.Vertex3fv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLdouble v[] = {x + 0.0, y + 0.0, 0.25};
+        gl.Vertex3dv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLshort v[] = {static_cast<GLshort>(x * 3), static_cast<GLshort>(y * 3), 0, 3};
+        gl.Vertex4sv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLint v[] = {x * 5, y * 5, 0, 5};
+        gl.Vertex4iv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLfloat v[] = {static_cast<float>(x), static_cast<float>(y), 0, 1};
+        gl.Vertex4fv(v);
+    });
+    triangle([&](int x, int y) {
+        const GLdouble v[] = {x * 8.0, y * 8.0, 0, 8};
+        gl.Vertex4dv(v);
+    });
 }
 
 SCENE(vertex_colour_forms, "all 32 Color commands, each a patch with its own conversion to the unit range") {
@@ -114,8 +151,14 @@ SCENE(vertex_colour_forms, "all 32 Color commands, each a patch with its own con
         const auto convert = [top](double value) { return static_cast<T>(top * value); };
         forms.push_back([=](float t) { three(convert(t), convert(0.5 * t), convert(1 - t)); });
         forms.push_back([=](float t) { four(convert(1 - t), convert(t), convert(0.25), convert(t)); });
-        forms.push_back([=](float t) { const T v[] = {convert(0.2), convert(t), convert(t * t)}; three_v(v); });
-        forms.push_back([=](float t) { const T v[] = {convert(t), convert(0.1), convert(1 - t), convert(0.5)}; four_v(v); });
+        forms.push_back([=](float t) {
+            const T v[] = {convert(0.2), convert(t), convert(t * t)};
+            three_v(v);
+        });
+        forms.push_back([=](float t) {
+            const T v[] = {convert(t), convert(0.1), convert(1 - t), convert(0.5)};
+            four_v(v);
+        });
     };
     add(GLbyte{127}, gl.Color3b, gl.Color4b, gl.Color3bv, gl.Color4bv);
     add(GLubyte{255}, gl.Color3ub, gl.Color4ub, gl.Color3ubv, gl.Color4ubv);
@@ -140,9 +183,11 @@ SCENE(vertex_colour_forms, "all 32 Color commands, each a patch with its own con
     });
 }
 
-SCENE(vertex_colour_out_of_range, "colours below 0 and above 1 are clamped after interpolation set-up, not before") {
+SCENE(vertex_colour_out_of_range,
+      "colours below 0 and above 1 are clamped after interpolation set-up, not before") {
     pixel_projection(gl);
-    const float levels[][4] = {{2, -1, 0.5F, 1}, {-0.5F, 1.5F, 0.2F, 3}, {0, 0.5F, 4, -2}, {1.25F, 1.25F, -3, 0.5F}};
+    const float levels[][4] = {
+        {2, -1, 0.5F, 1}, {-0.5F, 1.5F, 0.2F, 3}, {0, 0.5F, 4, -2}, {1.25F, 1.25F, -3, 0.5F}};
     for_cells(2, 2, [&](int cell, float x, float y, float w, float h) {
         gl.Begin(GL_TRIANGLE_FAN);
         for (int i = 0; i < 4; ++i) {
@@ -158,22 +203,55 @@ SCENE(vertex_normal_forms, "all ten Normal commands light a fan of facets") {
     gl.Enable(GL_LIGHTING);
     gl.Enable(GL_LIGHT0);
     gl.Enable(GL_NORMALIZE);
+    const GLfloat light[] = {1, 0.6F, 0.5F, 0};
+    gl.Lightfv(GL_LIGHT0, GL_POSITION, light);
     gl.ShadeModel(GL_FLAT);
     for (int facet = 0; facet < 20; ++facet) {
         const float a = kTau * static_cast<float>(facet) / 20, b = kTau * static_cast<float>(facet + 1) / 20;
         const float nx = 0.8F * std::cos(a), ny = 0.8F * std::sin(a), nz = 0.6F;
         gl.Begin(GL_TRIANGLES);
         switch (facet % 10) {
-            case 0: gl.Normal3f(nx, ny, nz); break;
-            case 1: gl.Normal3d(nx, ny, nz); break;
-            case 2: gl.Normal3b(static_cast<GLbyte>(127 * nx), static_cast<GLbyte>(127 * ny), static_cast<GLbyte>(127 * nz)); break;
-            case 3: gl.Normal3s(static_cast<GLshort>(32767 * nx), static_cast<GLshort>(32767 * ny), static_cast<GLshort>(32767 * nz)); break;
-            case 4: gl.Normal3i(static_cast<GLint>(2.1e9F * nx), static_cast<GLint>(2.1e9F * ny), static_cast<GLint>(2.1e9F * nz)); break;
-            case 5: { const GLfloat v[] = {nx, ny, nz}; gl.Normal3fv(v); } break;
-            case 6: { const GLdouble v[] = {nx, ny, nz}; gl.Normal3dv(v); } break;
-            case 7: { const GLbyte v[] = {static_cast<GLbyte>(127 * nx), static_cast<GLbyte>(127 * ny), static_cast<GLbyte>(127 * nz)}; gl.Normal3bv(v); } break;
-            case 8: { const GLshort v[] = {static_cast<GLshort>(32767 * nx), static_cast<GLshort>(32767 * ny), static_cast<GLshort>(32767 * nz)}; gl.Normal3sv(v); } break;
-            default: { const GLint v[] = {static_cast<GLint>(2.1e9F * nx), static_cast<GLint>(2.1e9F * ny), static_cast<GLint>(2.1e9F * nz)}; gl.Normal3iv(v); } break;
+            case 0:
+                gl.Normal3f(nx, ny, nz);
+                break;
+            case 1:
+                gl.Normal3d(nx, ny, nz);
+                break;
+            case 2:
+                gl.Normal3b(static_cast<GLbyte>(127 * nx), static_cast<GLbyte>(127 * ny),
+                            static_cast<GLbyte>(127 * nz));
+                break;
+            case 3:
+                gl.Normal3s(static_cast<GLshort>(32767 * nx), static_cast<GLshort>(32767 * ny),
+                            static_cast<GLshort>(32767 * nz));
+                break;
+            case 4:
+                gl.Normal3i(static_cast<GLint>(2.1e9F * nx), static_cast<GLint>(2.1e9F * ny),
+                            static_cast<GLint>(2.1e9F * nz));
+                break;
+            case 5: {
+                const GLfloat v[] = {nx, ny, nz};
+                gl.Normal3fv(v);
+            } break;
+            case 6: {
+                const GLdouble v[] = {nx, ny, nz};
+                gl.Normal3dv(v);
+            } break;
+            case 7: {
+                const GLbyte v[] = {static_cast<GLbyte>(127 * nx), static_cast<GLbyte>(127 * ny),
+                                    static_cast<GLbyte>(127 * nz)};
+                gl.Normal3bv(v);
+            } break;
+            case 8: {
+                const GLshort v[] = {static_cast<GLshort>(32767 * nx), static_cast<GLshort>(32767 * ny),
+                                     static_cast<GLshort>(32767 * nz)};
+                gl.Normal3sv(v);
+            } break;
+            default: {
+                const GLint v[] = {static_cast<GLint>(2.1e9F * nx), static_cast<GLint>(2.1e9F * ny),
+                                   static_cast<GLint>(2.1e9F * nz)};
+                gl.Normal3iv(v);
+            } break;
         }
         gl.Vertex3f(0, 0, 0.4F);
         gl.Vertex3f(1.3F * std::cos(a), 1.3F * std::sin(a), 0);
@@ -198,13 +276,22 @@ SCENE(vertex_texcoord_forms, "TexCoord1..4 of all types, with q other than one")
         forms.push_back([=](int s, int t) { two(number(s), number(t)); });
         forms.push_back([=](int s, int t) { three(number(s), number(2 * t), number(5)); });
         forms.push_back([=](int s, int t) { four(number(3 * s), number(3 * t), number(1), number(3)); });
-        forms.push_back([=](int s, int t) { const T v[] = {number(2 * s), number(t)}; two_v(v); });
-        forms.push_back([=](int s, int t) { const T v[] = {number(s), number(t), number(0), number(s + 1)}; four_v(v); });
+        forms.push_back([=](int s, int t) {
+            const T v[] = {number(2 * s), number(t)};
+            two_v(v);
+        });
+        forms.push_back([=](int s, int t) {
+            const T v[] = {number(s), number(t), number(0), number(s + 1)};
+            four_v(v);
+        });
     };
-    add(gl.TexCoord1s, gl.TexCoord2s, gl.TexCoord3s, gl.TexCoord4s, gl.TexCoord2sv, gl.TexCoord4sv, GLshort{});
+    add(gl.TexCoord1s, gl.TexCoord2s, gl.TexCoord3s, gl.TexCoord4s, gl.TexCoord2sv, gl.TexCoord4sv,
+        GLshort{});
     add(gl.TexCoord1i, gl.TexCoord2i, gl.TexCoord3i, gl.TexCoord4i, gl.TexCoord2iv, gl.TexCoord4iv, GLint{});
-    add(gl.TexCoord1f, gl.TexCoord2f, gl.TexCoord3f, gl.TexCoord4f, gl.TexCoord2fv, gl.TexCoord4fv, GLfloat{});
-    add(gl.TexCoord1d, gl.TexCoord2d, gl.TexCoord3d, gl.TexCoord4d, gl.TexCoord2dv, gl.TexCoord4dv, GLdouble{});
+    add(gl.TexCoord1f, gl.TexCoord2f, gl.TexCoord3f, gl.TexCoord4f, gl.TexCoord2fv, gl.TexCoord4fv,
+        GLfloat{});
+    add(gl.TexCoord1d, gl.TexCoord2d, gl.TexCoord3d, gl.TexCoord4d, gl.TexCoord2dv, gl.TexCoord4dv,
+        GLdouble{});
     for_cells(6, 4, [&](int cell, float x, float y, float w, float h) {
         gl.Begin(GL_QUADS);
         for (const auto& [s, t] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
@@ -222,7 +309,8 @@ SCENE(vertex_texcoord_forms, "TexCoord1..4 of all types, with q other than one")
     notes.values("texture coordinates", current);
 }
 
-SCENE(vertex_index_and_edge_flags, "Index and EdgeFlag forms: current values, and edges hidden in line mode") {
+SCENE(vertex_index_and_edge_flags,
+      "Index and EdgeFlag forms: current values, and edges hidden in line mode") {
     pixel_projection(gl);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     for_cells(3, 3, [&](int cell, float x, float y, float w, float h) {
@@ -273,21 +361,38 @@ SCENE(vertex_rect_forms, "Rects, Recti, Rectf, Rectd and their vector forms, dra
         const GLfloat f[2][2] = {{-18.5F, -42}, {18.5F, 42}};
         const GLdouble d[2][2] = {{-24.25, -30}, {24.25, 30}};
         switch (i) {
-            case 0: gl.Rects(-20, -40, 20, 40); break;
-            case 1: gl.Recti(-22, -38, 22, 38); break;
-            case 2: gl.Rectf(-18.5F, -42, 18.5F, 42); break;
-            case 3: gl.Rectd(-24.25, -30, 24.25, 30); break;
-            case 4: gl.Rectsv(s[0], s[1]); break;
-            case 5: gl.Rectiv(n[0], n[1]); break;
-            case 6: gl.Rectfv(f[0], f[1]); break;
-            default: gl.Rectdv(d[0], d[1]); break;
+            case 0:
+                gl.Rects(-20, -40, 20, 40);
+                break;
+            case 1:
+                gl.Recti(-22, -38, 22, 38);
+                break;
+            case 2:
+                gl.Rectf(-18.5F, -42, 18.5F, 42);
+                break;
+            case 3:
+                gl.Rectd(-24.25, -30, 24.25, 30);
+                break;
+            case 4:
+                gl.Rectsv(s[0], s[1]);
+                break;
+            case 5:
+                gl.Rectiv(n[0], n[1]);
+                break;
+            case 6:
+                gl.Rectfv(f[0], f[1]);
+                break;
+            default:
+                gl.Rectdv(d[0], d[1]);
+                break;
         }
         gl.Color3f(1, 1, 1);
         gl.Rectf(5, -5, -5, 5);  // opposite corners: clockwise, culled
     }
 }
 
-SCENE(vertex_state_between_vertices, "colour, normal, texture coordinate and material changed inside Begin/End stick to later vertices") {
+SCENE(vertex_state_between_vertices,
+      "colour, normal, texture coordinate and material changed inside Begin/End stick to later vertices") {
     camera(gl, 45, 5);
     gl.Enable(GL_LIGHTING);
     gl.Enable(GL_LIGHT0);
