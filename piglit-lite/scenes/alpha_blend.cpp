@@ -7,7 +7,8 @@ namespace {
 
 // A quad whose four corners differ in colour and alpha, so that every factor has something to do.
 void source_quad(const Gl& gl, float x, float y, float w, float h) {
-    const Colour corners[] = {{0.9F, 0.2F, 0.1F, 0.1F}, {0.2F, 0.8F, 0.3F, 0.5F}, {0.1F, 0.3F, 1, 0.9F}, {1, 0.9F, 0.6F, 0.7F}};
+    const Colour corners[] = {
+        {0.9F, 0.2F, 0.1F, 0.1F}, {0.2F, 0.8F, 0.3F, 0.5F}, {0.1F, 0.3F, 1, 0.9F}, {1, 0.9F, 0.6F, 0.7F}};
     const float places[][2] = {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
     gl.Begin(GL_QUADS);
     for (int i = 0; i < 4; ++i) {
@@ -17,10 +18,19 @@ void source_quad(const Gl& gl, float x, float y, float w, float h) {
     gl.End();
 }
 
-const GLenum kSourceFactors[] = {GL_ZERO, GL_ONE, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
-                                 GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_SRC_ALPHA_SATURATE};
-const GLenum kDestinationFactors[] = {GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA,
-                                      GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA};
+const GLenum kSourceFactors[] = {GL_ZERO,
+                                 GL_ONE,
+                                 GL_DST_COLOR,
+                                 GL_ONE_MINUS_DST_COLOR,
+                                 GL_SRC_ALPHA,
+                                 GL_ONE_MINUS_SRC_ALPHA,
+                                 GL_DST_ALPHA,
+                                 GL_ONE_MINUS_DST_ALPHA,
+                                 GL_SRC_ALPHA_SATURATE};
+const GLenum kDestinationFactors[] = {GL_ZERO,      GL_ONE,
+                                      GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
+                                      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
+                                      GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA};
 
 }  // namespace
 
@@ -37,11 +47,15 @@ SCENE(blend_all_factors, "nine source by eight destination factors over a stripe
     notes.value("source factor", factor);
 }
 
-SCENE(blend_colour_factors_1_4, "source factors of source colour and destination factors of destination colour (GL 1.4)") {
+SCENE(blend_colour_factors_1_4,
+      "source factors of source colour and destination factors of destination colour (GL 1.4)") {
     pixel_projection(gl);
     striped_backdrop(gl, 16);
     gl.Enable(GL_BLEND);
-    const GLenum pairs[][2] = {{GL_SRC_COLOR, GL_ZERO}, {GL_ONE_MINUS_SRC_COLOR, GL_ONE}, {GL_ZERO, GL_DST_COLOR}, {GL_ONE, GL_ONE_MINUS_DST_COLOR}};
+    const GLenum pairs[][2] = {{GL_SRC_COLOR, GL_ZERO},
+                               {GL_ONE_MINUS_SRC_COLOR, GL_ONE},
+                               {GL_ZERO, GL_DST_COLOR},
+                               {GL_ONE, GL_ONE_MINUS_DST_COLOR}};
     for_cells(2, 2, [&](int cell, float x, float y, float w, float h) {
         gl.BlendFunc(pairs[cell][0], pairs[cell][1]);
         source_quad(gl, x + 6, y + 6, w - 12, h - 12);
@@ -112,7 +126,8 @@ SCENE(blend_texture_and_depth, "translucent textured solids back to front with d
 SCENE(alpha_test_functions, "the eight functions against references on a ramp of alpha") {
     pixel_projection(gl);
     gl.Enable(GL_ALPHA_TEST);
-    const GLenum functions[] = {GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
+    const GLenum functions[] = {GL_NEVER,   GL_LESS,     GL_EQUAL,  GL_LEQUAL,
+                                GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
     const float references[] = {0, 0.25F, 0.5F, 0.75F, 1};
     for_cells(5, 8, [&](int cell, float x, float y, float w, float h) {
         gl.AlphaFunc(functions[cell / 5], references[cell % 5]);

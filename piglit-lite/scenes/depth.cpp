@@ -6,7 +6,8 @@ using namespace terrazzo::piglit;
 SCENE(depth_functions, "the eight functions against a sloping plane, with equal depths included") {
     pixel_projection(gl);
     gl.Enable(GL_DEPTH_TEST);
-    const GLenum functions[] = {GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
+    const GLenum functions[] = {GL_NEVER,   GL_LESS,     GL_EQUAL,  GL_LEQUAL,
+                                GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
     for_cells(4, 2, [&](int cell, float x, float y, float w, float h) {
         const auto slope = [&](float z0, float z1) {
             gl.Begin(GL_QUADS);
@@ -40,7 +41,8 @@ SCENE(depth_intersecting_solids, "interpenetrating boxes, tori and spheres") {
     const Solid solids[] = {make_box(0.8F), make_torus(1.1F, 0.4F, 30, 15), make_sphere(0.9F, 16, 24)};
     for (int i = 0; i < 9; ++i) {
         gl.PushMatrix();
-        gl.Translatef(static_cast<float>(i % 3 - 1) * 0.9F, static_cast<float>(i / 3 - 1) * 0.9F, static_cast<float>(i % 2) * 0.3F);
+        gl.Translatef(static_cast<float>(i % 3 - 1) * 0.9F, static_cast<float>(i / 3 - 1) * 0.9F,
+                      static_cast<float>(i % 2) * 0.3F);
         gl.Rotatef(static_cast<float>(i) * 37, 1, 0.7F, 0.2F);
         draw_solid(gl, solids[i % 3], kColours);
         gl.PopMatrix();
@@ -54,7 +56,8 @@ SCENE(depth_mask, "depth writes off and on: later solids show through what wrote
     for (int i = 0; i < 5; ++i) {
         gl.DepthMask(i % 2 == 0);
         gl.PushMatrix();
-        gl.Translatef(static_cast<float>(i - 2) * 0.6F, 0.2F * static_cast<float>(i % 3), -0.4F * static_cast<float>(i));
+        gl.Translatef(static_cast<float>(i - 2) * 0.6F, 0.2F * static_cast<float>(i % 3),
+                      -0.4F * static_cast<float>(i));
         gl.Rotatef(static_cast<float>(i) * 25, 1, 1, 0);
         draw_solid(gl, box, kColours);
         gl.PopMatrix();
@@ -72,7 +75,8 @@ SCENE(depth_precision, "planes a few steps apart far from the eye, near 0.01 and
         const float s = -z * 0.08F;
         gl.Color4fv(hue(static_cast<float>(i) / 40).data());
         gl.Begin(GL_QUADS);
-        const float x = -z * 0.09F * static_cast<float>(i % 8 - 4), y = -z * 0.14F * static_cast<float>(i / 8 - 2);
+        const float x = -z * 0.09F * static_cast<float>(i % 8 - 4),
+                    y = -z * 0.14F * static_cast<float>(i / 8 - 2);
         gl.Vertex3f(x - s, y - s, z);
         gl.Vertex3f(x + s, y - s, z - 1);
         gl.Vertex3f(x + s, y + s, z + 1);
@@ -88,7 +92,8 @@ SCENE(depth_clamped_ends, "fragments at depths exactly 0 and 1, and clears to ot
         const float clears[] = {0, 0.3F, 1, 2};
         const float depths[] = {1, 0.4F, -0.4F, -1};
         gl.Enable(GL_SCISSOR_TEST);
-        gl.Scissor(static_cast<GLint>(x), static_cast<GLint>(y), static_cast<GLsizei>(w), static_cast<GLsizei>(h));
+        gl.Scissor(static_cast<GLint>(x), static_cast<GLint>(y), static_cast<GLsizei>(w),
+                   static_cast<GLsizei>(h));
         gl.ClearDepth(clears[cell / 4]);
         gl.Clear(GL_DEPTH_BUFFER_BIT);
         gl.Disable(GL_SCISSOR_TEST);
@@ -98,7 +103,8 @@ SCENE(depth_clamped_ends, "fragments at depths exactly 0 and 1, and clears to ot
     });
 }
 
-SCENE(depth_sixteen_bits, "intersecting slopes in a 16-bit depth buffer", .context = {.depth_bits = 16, .stencil_bits = 0}) {
+SCENE(depth_sixteen_bits, "intersecting slopes in a 16-bit depth buffer",
+      .context = {.depth_bits = 16, .stencil_bits = 0}) {
     camera(gl, 50, 4.5F, 0.5F, 50);
     gl.Enable(GL_DEPTH_TEST);
     for (int i = 0; i < 12; ++i) {
@@ -111,7 +117,8 @@ SCENE(depth_sixteen_bits, "intersecting slopes in a 16-bit depth buffer", .conte
     }
 }
 
-SCENE(depth_none, "a context without depth and stencil: the tests pass", .context = {.depth_bits = 0, .stencil_bits = 0}) {
+SCENE(depth_none, "a context without depth and stencil: the tests pass",
+      .context = {.depth_bits = 0, .stencil_bits = 0}) {
     camera(gl, 50, 4.5F);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_NEVER);

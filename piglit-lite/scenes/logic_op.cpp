@@ -25,7 +25,8 @@ SCENE(logic_op_all, "the sixteen operations between gradients") {
     notes.value("mode", mode);
 }
 
-SCENE(logic_op_rubber_band, "XOR drawn twice restores the picture; a third time shows; it overrides blending") {
+SCENE(logic_op_rubber_band,
+      "XOR drawn twice restores the picture; a third time shows; it overrides blending") {
     pixel_projection(gl);
     striped_backdrop(gl, 8);
     gl.Enable(GL_COLOR_LOGIC_OP);

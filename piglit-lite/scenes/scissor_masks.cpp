@@ -5,8 +5,9 @@ using namespace terrazzo::piglit;
 
 SCENE(scissor_boxes, "overlapping scissor boxes, some outside the window and some empty") {
     gl.Enable(GL_SCISSOR_TEST);
-    const GLint boxes[][4] = {{0, 0, 100, 100}, {90, 10, 1, 200}, {120, -30, 200, 100}, {-20, 130, 100, 300}, {100, 120, 0, 50},
-                              {101, 121, 77, 33}, {150, 180, 64, 64}, {63, 63, 65, 65}, {255, 255, 9, 9}};
+    const GLint boxes[][4] = {{0, 0, 100, 100},     {90, 10, 1, 200},  {120, -30, 200, 100},
+                              {-20, 130, 100, 300}, {100, 120, 0, 50}, {101, 121, 77, 33},
+                              {150, 180, 64, 64},   {63, 63, 65, 65},  {255, 255, 9, 9}};
     int i = 0;
     for (const auto& box : boxes) {
         gl.Scissor(box[0], box[1], box[2], box[3]);
@@ -14,7 +15,8 @@ SCENE(scissor_boxes, "overlapping scissor boxes, some outside the window and som
         gl.Color4fv(hue(static_cast<float>(i) / 9).data());
         gl.Vertex2f(0, 0);
         gl.Color4fv(hue(static_cast<float>(i) / 9 + 0.3F).data());
-        for (const auto& [x, y] : {std::array{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}, {-1.0F, -1.0F}})
+        for (const auto& [x, y] :
+             {std::array{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}, {-1.0F, -1.0F}})
             gl.Vertex2f(x, y);
         gl.End();
         ++i;
@@ -52,7 +54,8 @@ SCENE(mask_colours, "all sixteen colour masks, on drawing and on clearing") {
     pixel_projection(gl);
     gl.Enable(GL_SCISSOR_TEST);
     for_cells(4, 4, [&](int cell, float x, float y, float w, float h) {
-        gl.Scissor(static_cast<GLint>(x) + 2, static_cast<GLint>(y) + 2, static_cast<GLsizei>(w) - 4, static_cast<GLsizei>(h) - 4);
+        gl.Scissor(static_cast<GLint>(x) + 2, static_cast<GLint>(y) + 2, static_cast<GLsizei>(w) - 4,
+                   static_cast<GLsizei>(h) - 4);
         gl.ColorMask(cell & 1, cell >> 1 & 1, cell >> 2 & 1, cell >> 3 & 1);
         gl.ClearColor(0.8F, 0.6F, 0.9F, 0.4F);
         gl.Clear(GL_COLOR_BUFFER_BIT);
@@ -92,7 +95,8 @@ SCENE(clear_values, "clears of colour, depth and stencil in every combination in
         gl.ClearColor(0.1F * static_cast<float>(cell), 1.5F, -1, 0.5F);
         gl.ClearDepth(0.1 * cell);
         gl.ClearStencil(cell * 40);
-        gl.Clear((cell & 1 ? GL_COLOR_BUFFER_BIT : 0U) | (cell & 2 ? GL_DEPTH_BUFFER_BIT : 0U) | (cell & 4 ? GL_STENCIL_BUFFER_BIT : 0U));
+        gl.Clear((cell & 1 ? GL_COLOR_BUFFER_BIT : 0U) | (cell & 2 ? GL_DEPTH_BUFFER_BIT : 0U) |
+                 (cell & 4 ? GL_STENCIL_BUFFER_BIT : 0U));
     }
     GLfloat colour[4];
     gl.GetFloatv(GL_COLOR_CLEAR_VALUE, colour);
@@ -116,7 +120,8 @@ SCENE(clear_masked_stencil_and_depth, "clears obey the stencil write mask and th
     }
 }
 
-SCENE(clear_between_draws, "clears in the middle of a frame, whole and scissored, with pending draws on both sides") {
+SCENE(clear_between_draws,
+      "clears in the middle of a frame, whole and scissored, with pending draws on both sides") {
     pixel_projection(gl);
     striped_backdrop(gl, 7);
     gl.ClearColor(0.15F, 0.3F, 0.2F, 1);

@@ -22,7 +22,8 @@ void stencil_steps(const Gl& gl, float x, float y, float w, float h, int steps) 
 
 SCENE(stencil_functions, "the eight functions with a reference against nested squares of values") {
     pixel_projection(gl);
-    const GLenum functions[] = {GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
+    const GLenum functions[] = {GL_NEVER,   GL_LESS,     GL_EQUAL,  GL_LEQUAL,
+                                GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
     for_cells(4, 2, [&](int cell, float x, float y, float w, float h) {
         stencil_steps(gl, x + 2, y + 2, w - 4, h - 4, 6);
         gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -34,7 +35,8 @@ SCENE(stencil_functions, "the eight functions with a reference against nested sq
 
 SCENE(stencil_operations, "eight operations, with stencil failing, depth failing and both passing") {
     pixel_projection(gl);
-    const GLenum operations[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
+    const GLenum operations[] = {GL_KEEP, GL_ZERO,   GL_REPLACE,   GL_INCR,
+                                 GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
     gl.Enable(GL_DEPTH_TEST);
     for_cells(8, 3, [&](int cell, float x, float y, float w, float h) {
         gl.DepthFunc(GL_ALWAYS);
@@ -155,7 +157,10 @@ SCENE(stencil_mirror, "a reflection bounded by the stencil, with a clip plane at
     camera(gl, 45, 6);
     gl.Enable(GL_DEPTH_TEST);
     gl.Rotatef(20, 1, 0, 0);
-    const auto mirror = [&] { gl.Begin(GL_QUADS), gl.Vertex3f(-1.6F, -0.8F, 1.6F), gl.Vertex3f(1.6F, -0.8F, 1.6F), gl.Vertex3f(1.6F, -0.8F, -1.6F), gl.Vertex3f(-1.6F, -0.8F, -1.6F), gl.End(); };
+    const auto mirror = [&] {
+        gl.Begin(GL_QUADS), gl.Vertex3f(-1.6F, -0.8F, 1.6F), gl.Vertex3f(1.6F, -0.8F, 1.6F),
+            gl.Vertex3f(1.6F, -0.8F, -1.6F), gl.Vertex3f(-1.6F, -0.8F, -1.6F), gl.End();
+    };
     const auto torus = [&] {
         gl.PushMatrix();
         gl.Translatef(0.2F, 0.5F, 0);
