@@ -14,7 +14,7 @@ constexpr const char* kReferenceVersion = "Mesa 22.3.6";  // doc/reference.md de
 
 }  // namespace
 
-Osmesa::Osmesa(int width, int height) : m_pixels(static_cast<std::size_t>(width) * height * 4) {
+Osmesa::Osmesa(int width, int height, GLenum type) : m_pixels(static_cast<std::size_t>(width) * height * 4) {
     const char* override_path = std::getenv("TERRAZZO_REFERENCE_OSMESA");
     m_library = dlopen(override_path ? override_path : "libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
     if (!m_library) {
@@ -24,7 +24,7 @@ Osmesa::Osmesa(int width, int height) : m_pixels(static_cast<std::size_t>(width)
     m_context =
         find<decltype(OSMesaCreateContextExt)>("OSMesaCreateContextExt")(OSMESA_RGBA, 24, 8, 0, nullptr);
     auto* make_current = find<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
-    if (!m_context || !make_current(m_context, m_pixels.data(), GL_UNSIGNED_BYTE, width, height)) {
+    if (!m_context || !make_current(m_context, m_pixels.data(), type, width, height)) {
         m_missing = "the reference library gave no context";
         return;
     }

@@ -12,14 +12,17 @@ namespace terrazzo::test {
 
 class Osmesa {
   public:
-    /// Loads the library, makes a context of width x height (RGBA bytes, 24 + 8 bits of depth and stencil)
-    /// current. Where that fails or the library is not the reference, missing() says why.
-    Osmesa(int width, int height);
+    /// Loads the library, makes a context of width x height (RGBA of the type given, 24 + 8 bits of depth and
+    /// stencil) current. Where that fails or the library is not the reference, missing() says why.
+    Osmesa(int width, int height, GLenum type = GL_UNSIGNED_BYTE);
     ~Osmesa();
     Osmesa(const Osmesa&) = delete;
     Osmesa& operator=(const Osmesa&) = delete;
 
     const std::string& missing() const { return m_missing; }
+
+    /// The buffer of a GL_FLOAT context, row 0 at the bottom; current after glFinish.
+    const float* floats() const { return m_pixels.data(); }
 
     template <typename Function>
     Function* find(const char* name) const {
@@ -31,7 +34,7 @@ class Osmesa {
 
     void* m_library = nullptr;
     OSMesaContext m_context = nullptr;
-    std::vector<unsigned char> m_pixels;
+    std::vector<float> m_pixels;
     std::string m_missing;
 };
 
