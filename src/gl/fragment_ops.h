@@ -25,8 +25,8 @@ struct StencilState {
     bool enabled = false;
     GLenum func = GL_ALWAYS;
     GLint reference = 0;  // as specified; clamped to the buffer's range where it is used
-    GLuint value_mask = ~0u;
-    GLuint write_mask = ~0u;
+    GLuint value_mask = 0xff;  // all bits of the deepest stencil buffer there is
+    GLuint write_mask = 0xff;
     GLenum fail = GL_KEEP;
     GLenum depth_fail = GL_KEEP;
     GLenum depth_pass = GL_KEEP;

@@ -32,11 +32,18 @@ GLenum check_buffer(GLenum buffer) {
     return GL_INVALID_ENUM;
 }
 
+// NaN becomes 0.
+GLdouble clamp_depth(GLdouble depth) {
+    return depth > 0 ? std::min(depth, 1.0) : 0;
+}
+
 }  // namespace
 
 void viewport(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
     ViewportState& viewport = ctx.framebuffer.viewport;
+    x = std::clamp(x, kMinViewportOrigin, kMaxViewportOrigin);
+    y = std::clamp(y, kMinViewportOrigin, kMaxViewportOrigin);
     width = std::min(width, kMaxViewportSize);
     height = std::min(height, kMaxViewportSize);
     if (x == viewport.x && y == viewport.y && width == viewport.width && height == viewport.height) return;
@@ -48,8 +55,8 @@ void viewport(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 
 void depth_range(Context& ctx, GLdouble n, GLdouble f) {
-    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.near_depth, std::clamp(n, 0.0, 1.0));
-    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.far_depth, std::clamp(f, 0.0, 1.0));
+    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.near_depth, clamp_depth(n));
+    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.far_depth, clamp_depth(f));
 }
 
 // Clear values matter to Clear alone, which has drawn everything before it: no change to announce.
@@ -62,7 +69,7 @@ void clear_index(Context& ctx, GLfloat c) {
 }
 
 void clear_depth(Context& ctx, GLdouble depth) {
-    ctx.framebuffer.clear.depth = std::clamp(depth, 0.0, 1.0);
+    ctx.framebuffer.clear.depth = clamp_depth(depth);
 }
 
 void clear_stencil(Context& ctx, GLint s) {

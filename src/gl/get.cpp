@@ -14,15 +14,7 @@ GLboolean to_boolean(const StateValues&, GLdouble value) {
 }
 
 GLint to_integer(const StateValues& values, GLdouble value) {
-    switch (values.kind) {
-        case StateKind::kMask:
-            return static_cast<GLint>(static_cast<GLuint>(value));
-        case StateKind::kNormalized:
-            return denormalised(value);
-        case StateKind::kNumber:
-            break;
-    }
-    return rounded(value);
+    return values.kind == StateKind::kNormalized ? denormalised(value) : rounded(value);
 }
 
 GLfloat to_float(const StateValues&, GLdouble value) {

@@ -137,6 +137,9 @@ void lightfv(Context& ctx, GLenum light, GLenum pname, const GLfloat* params) {
             return change(ctx, Dirty::kLighting, target->eye_position,
                           transform_point(ctx.matrix.modelview.top().value, params));
         case GL_SPOT_DIRECTION:
+            // The reference works out the inverse here, without need; a singular matrix is another kind from
+            // then on.
+            settle(ctx.matrix.modelview.top());
             return change(ctx, Dirty::kLighting, target->eye_spot_direction,
                           transform_direction(ctx.matrix.modelview.top().value, params));
     }

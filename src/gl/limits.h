@@ -11,6 +11,8 @@ inline constexpr int kMaxTextureUnits =
 inline constexpr int kMaxTextureLevels = 15;
 inline constexpr int kMaxTextureSize = 1 << (kMaxTextureLevels - 1);
 inline constexpr int kMaxViewportSize = 16384;
+inline constexpr int kMinViewportOrigin = -32768;
+inline constexpr int kMaxViewportOrigin = 32767;
 
 inline constexpr int kMaxModelviewDepth = 32;
 inline constexpr int kMaxProjectionDepth = 32;

@@ -21,11 +21,6 @@ void normalized(Out& out, const Value& value) {
     out = value;
 }
 
-void mask(Out& out, GLuint value) {
-    out.kind = StateKind::kMask;
-    out = value;
-}
-
 // Colours of a fixed-point target are clamped when they are used; a query answers what is used.
 void clamped(Out& out, const std::array<GLfloat, 4>& color) {
     out.kind = StateKind::kNormalized;
@@ -42,6 +37,10 @@ int depth(const MatrixStack& stack) {
 
 MatrixStack& texture_stack(Context& c) {
     return c.matrix.texture[c.texture.active_unit];
+}
+
+GLint stencil_reference(const Context& c) {
+    return std::clamp(c.fragment_ops.stencil.reference, 0, (1 << c.config.stencil_bits) - 1);
 }
 
 GLuint texture_name(Context& c, TextureTarget target) {
@@ -118,8 +117,8 @@ constexpr auto kVariables = [] {
              normalized(out, std::clamp(c.fragment_ops.color.alpha_test.reference, 0.0f, 1.0f));
          }},
         {GL_STENCIL_FUNC, [](Context& c, Out& out) { out = c.fragment_ops.stencil.func; }},
-        {GL_STENCIL_VALUE_MASK, [](Context& c, Out& out) { mask(out, c.fragment_ops.stencil.value_mask); }},
-        {GL_STENCIL_REF, [](Context& c, Out& out) { out = c.fragment_ops.stencil.reference; }},
+        {GL_STENCIL_VALUE_MASK, [](Context& c, Out& out) { out = c.fragment_ops.stencil.value_mask; }},
+        {GL_STENCIL_REF, [](Context& c, Out& out) { out = stencil_reference(c); }},
         {GL_STENCIL_FAIL, [](Context& c, Out& out) { out = c.fragment_ops.stencil.fail; }},
         {GL_STENCIL_PASS_DEPTH_FAIL, [](Context& c, Out& out) { out = c.fragment_ops.stencil.depth_fail; }},
         {GL_STENCIL_PASS_DEPTH_PASS, [](Context& c, Out& out) { out = c.fragment_ops.stencil.depth_pass; }},
@@ -131,10 +130,10 @@ constexpr auto kVariables = [] {
         // Frame buffer
         {GL_DRAW_BUFFER, [](Context& c, Out& out) { out = c.framebuffer.draw_buffer; }},
         {GL_READ_BUFFER, [](Context& c, Out& out) { out = c.framebuffer.read_buffer; }},
-        {GL_INDEX_WRITEMASK, [](Context& c, Out& out) { mask(out, c.fragment_ops.color.index_write_mask); }},
+        {GL_INDEX_WRITEMASK, [](Context& c, Out& out) { out = static_cast<GLint>(c.fragment_ops.color.index_write_mask); }},
         {GL_COLOR_WRITEMASK, [](Context& c, Out& out) { out = c.fragment_ops.color.write_mask; }},
         {GL_DEPTH_WRITEMASK, [](Context& c, Out& out) { out = c.fragment_ops.depth.write_mask; }},
-        {GL_STENCIL_WRITEMASK, [](Context& c, Out& out) { mask(out, c.fragment_ops.stencil.write_mask); }},
+        {GL_STENCIL_WRITEMASK, [](Context& c, Out& out) { out = c.fragment_ops.stencil.write_mask; }},
         {GL_COLOR_CLEAR_VALUE, [](Context& c, Out& out) { clamped(out, c.framebuffer.clear.color); }},
         {GL_INDEX_CLEAR_VALUE, [](Context& c, Out& out) { out = c.framebuffer.clear.index; }},
         {GL_DEPTH_CLEAR_VALUE, [](Context& c, Out& out) { normalized(out, c.framebuffer.clear.depth); }},

@@ -13,7 +13,6 @@ namespace terrazzo::gl {
 enum class StateKind {
     kNumber,      // the number itself, rounded
     kNormalized,  // -1..1 scaled to the range of integers: colours, normals, depths
-    kMask,        // an unsigned word, bit for bit
 };
 
 // A double holds every integer and float of GL without loss.

@@ -69,7 +69,7 @@ void get_tex_envfv(Context& ctx, GLenum target, GLenum pname, GLfloat* params) {
             *params = static_cast<GLfloat>(env.mode);
             return;
         case GL_TEXTURE_ENV_COLOR:
-            std::ranges::copy(env.color, params);
+            for (int i = 0; i < 4; ++i) params[i] = std::clamp(env.color[i], 0.0f, 1.0f);
             return;
     }
     record_error(ctx, GL_INVALID_ENUM, "no such environment parameter");

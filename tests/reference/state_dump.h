@@ -1,5 +1,5 @@
-// Everything that can be queried of a context, as text: one line a variable and query type, floats in hexadecimal so
-// that every bit shows. Two libraries in the same state give equal dumps.
+// Everything that can be queried of a context, as text: one line a variable and query type, floats in
+// hexadecimal so that every bit shows. Two libraries in the same state give equal dumps.
 #pragma once
 
 #include <string>
@@ -10,8 +10,5 @@
 namespace terrazzo::test {
 
 std::vector<std::string> dump_state(const kit::Gl& gl);
-
-// "GL_FOG_MODE"; hexadecimal for what the tests never use.
-std::string enumerant_name(GLenum value);
 
 }  // namespace terrazzo::test

@@ -1,0 +1,466 @@
+// The commands that the player knows; see state_player.h.
+#include "state_player.h"
+
+#include <cstdio>
+
+namespace terrazzo::test {
+namespace {
+
+using Player = StatePlayer;
+using Enumerants = std::vector<Player::Enumerant>;
+
+#define TERRAZZO_E(name) \
+    Player::Enumerant {  \
+        name, #name      \
+    }
+
+// Enumerants that no command of the player takes, in any version of GL.
+const Enumerants kInvalid = {TERRAZZO_E(GL_TRIANGLE_FAN), TERRAZZO_E(GL_2_BYTES),
+                             TERRAZZO_E(GL_VENDOR),       TERRAZZO_E(GL_FEEDBACK),
+                             {0x1234, "0x1234"},          {0xffffffffu, "0xffffffff"}};
+
+const Enumerants kCapabilities = {TERRAZZO_E(GL_ALPHA_TEST),
+                                  TERRAZZO_E(GL_BLEND),
+                                  TERRAZZO_E(GL_CLIP_PLANE0),
+                                  TERRAZZO_E(GL_CLIP_PLANE5),
+                                  TERRAZZO_E(GL_COLOR_LOGIC_OP),
+                                  TERRAZZO_E(GL_COLOR_MATERIAL),
+                                  TERRAZZO_E(GL_CULL_FACE),
+                                  TERRAZZO_E(GL_DEPTH_TEST),
+                                  TERRAZZO_E(GL_DITHER),
+                                  TERRAZZO_E(GL_FOG),
+                                  TERRAZZO_E(GL_INDEX_LOGIC_OP),
+                                  TERRAZZO_E(GL_LIGHT0),
+                                  TERRAZZO_E(GL_LIGHT7),
+                                  TERRAZZO_E(GL_LIGHTING),
+                                  TERRAZZO_E(GL_LINE_SMOOTH),
+                                  TERRAZZO_E(GL_LINE_STIPPLE),
+                                  TERRAZZO_E(GL_NORMALIZE),
+                                  TERRAZZO_E(GL_POINT_SMOOTH),
+                                  TERRAZZO_E(GL_POLYGON_OFFSET_FILL),
+                                  TERRAZZO_E(GL_POLYGON_OFFSET_LINE),
+                                  TERRAZZO_E(GL_POLYGON_OFFSET_POINT),
+                                  TERRAZZO_E(GL_POLYGON_SMOOTH),
+                                  TERRAZZO_E(GL_POLYGON_STIPPLE),
+                                  TERRAZZO_E(GL_RESCALE_NORMAL),
+                                  TERRAZZO_E(GL_SCISSOR_TEST),
+                                  TERRAZZO_E(GL_STENCIL_TEST),
+                                  TERRAZZO_E(GL_TEXTURE_1D),
+                                  TERRAZZO_E(GL_TEXTURE_2D),
+                                  TERRAZZO_E(GL_TEXTURE_GEN_Q),
+                                  TERRAZZO_E(GL_TEXTURE_GEN_R),
+                                  TERRAZZO_E(GL_TEXTURE_GEN_S),
+                                  TERRAZZO_E(GL_TEXTURE_GEN_T)};
+
+const Enumerants kComparisons = {TERRAZZO_E(GL_NEVER),  TERRAZZO_E(GL_LESS),    TERRAZZO_E(GL_EQUAL),
+                                 TERRAZZO_E(GL_LEQUAL), TERRAZZO_E(GL_GREATER), TERRAZZO_E(GL_NOTEQUAL),
+                                 TERRAZZO_E(GL_GEQUAL), TERRAZZO_E(GL_ALWAYS)};
+
+const Enumerants kFaces = {TERRAZZO_E(GL_FRONT), TERRAZZO_E(GL_BACK), TERRAZZO_E(GL_FRONT_AND_BACK)};
+
+const Enumerants kBlendFactors = {TERRAZZO_E(GL_ZERO),      TERRAZZO_E(GL_ONE),
+                                  TERRAZZO_E(GL_SRC_COLOR), TERRAZZO_E(GL_ONE_MINUS_SRC_COLOR),
+                                  TERRAZZO_E(GL_DST_COLOR), TERRAZZO_E(GL_ONE_MINUS_DST_COLOR),
+                                  TERRAZZO_E(GL_SRC_ALPHA), TERRAZZO_E(GL_ONE_MINUS_SRC_ALPHA),
+                                  TERRAZZO_E(GL_DST_ALPHA), TERRAZZO_E(GL_ONE_MINUS_DST_ALPHA)};
+
+const Enumerants kStencilOperations = {TERRAZZO_E(GL_KEEP), TERRAZZO_E(GL_ZERO), TERRAZZO_E(GL_REPLACE),
+                                       TERRAZZO_E(GL_INCR), TERRAZZO_E(GL_DECR), TERRAZZO_E(GL_INVERT)};
+
+const Enumerants kLogicOperations = {TERRAZZO_E(GL_CLEAR), TERRAZZO_E(GL_COPY), TERRAZZO_E(GL_XOR),
+                                     TERRAZZO_E(GL_NAND),  TERRAZZO_E(GL_SET),  TERRAZZO_E(GL_OR_INVERTED)};
+
+const Enumerants kBuffers = {
+    TERRAZZO_E(GL_NONE),       TERRAZZO_E(GL_FRONT),       TERRAZZO_E(GL_BACK),
+    TERRAZZO_E(GL_LEFT),       TERRAZZO_E(GL_RIGHT),       TERRAZZO_E(GL_FRONT_AND_BACK),
+    TERRAZZO_E(GL_FRONT_LEFT), TERRAZZO_E(GL_FRONT_RIGHT), TERRAZZO_E(GL_BACK_LEFT),
+    TERRAZZO_E(GL_BACK_RIGHT), TERRAZZO_E(GL_AUX0),        TERRAZZO_E(GL_AUX3)};
+
+// The reference also reads from GL_NONE and GL_FRONT_AND_BACK, which GL 1.5 §4.3.2 does not know.
+const Enumerants kReadBuffers = {
+    TERRAZZO_E(GL_FRONT),      TERRAZZO_E(GL_BACK),        TERRAZZO_E(GL_LEFT),      TERRAZZO_E(GL_RIGHT),
+    TERRAZZO_E(GL_FRONT_LEFT), TERRAZZO_E(GL_FRONT_RIGHT), TERRAZZO_E(GL_BACK_LEFT), TERRAZZO_E(GL_AUX0)};
+
+const Enumerants kHints = {TERRAZZO_E(GL_PERSPECTIVE_CORRECTION_HINT), TERRAZZO_E(GL_POINT_SMOOTH_HINT),
+                           TERRAZZO_E(GL_LINE_SMOOTH_HINT), TERRAZZO_E(GL_POLYGON_SMOOTH_HINT),
+                           TERRAZZO_E(GL_FOG_HINT)};
+
+const Enumerants kLights = {TERRAZZO_E(GL_LIGHT0), TERRAZZO_E(GL_LIGHT1), TERRAZZO_E(GL_LIGHT7)};
+
+const Enumerants kLightVectors = {TERRAZZO_E(GL_AMBIENT), TERRAZZO_E(GL_DIFFUSE), TERRAZZO_E(GL_SPECULAR),
+                                  TERRAZZO_E(GL_POSITION), TERRAZZO_E(GL_SPOT_DIRECTION)};
+
+const Enumerants kLightScalars = {TERRAZZO_E(GL_SPOT_EXPONENT), TERRAZZO_E(GL_SPOT_CUTOFF),
+                                  TERRAZZO_E(GL_CONSTANT_ATTENUATION), TERRAZZO_E(GL_LINEAR_ATTENUATION),
+                                  TERRAZZO_E(GL_QUADRATIC_ATTENUATION)};
+
+const Enumerants kMaterialVectors = {TERRAZZO_E(GL_AMBIENT),
+                                     TERRAZZO_E(GL_DIFFUSE),
+                                     TERRAZZO_E(GL_SPECULAR),
+                                     TERRAZZO_E(GL_EMISSION),
+                                     TERRAZZO_E(GL_AMBIENT_AND_DIFFUSE),
+                                     TERRAZZO_E(GL_COLOR_INDEXES)};
+
+const Enumerants kMaterialColors = {TERRAZZO_E(GL_AMBIENT), TERRAZZO_E(GL_DIFFUSE), TERRAZZO_E(GL_SPECULAR),
+                                    TERRAZZO_E(GL_EMISSION), TERRAZZO_E(GL_AMBIENT_AND_DIFFUSE)};
+
+const Enumerants kCoordinates = {TERRAZZO_E(GL_S), TERRAZZO_E(GL_T), TERRAZZO_E(GL_R), TERRAZZO_E(GL_Q)};
+
+const Enumerants kClipPlanes = {TERRAZZO_E(GL_CLIP_PLANE0), TERRAZZO_E(GL_CLIP_PLANE1),
+                                TERRAZZO_E(GL_CLIP_PLANE5)};
+
+// GL_CURRENT_BIT and GL_EVAL_BIT save nothing that the player changes.
+const GLbitfield kAttributeBits[] = {GL_ACCUM_BUFFER_BIT, GL_COLOR_BUFFER_BIT,   GL_CURRENT_BIT,
+                                     GL_DEPTH_BUFFER_BIT, GL_ENABLE_BIT,         GL_EVAL_BIT,
+                                     GL_FOG_BIT,          GL_HINT_BIT,           GL_LIGHTING_BIT,
+                                     GL_LINE_BIT,         GL_LIST_BIT,           GL_PIXEL_MODE_BIT,
+                                     GL_POINT_BIT,        GL_POLYGON_BIT,        GL_POLYGON_STIPPLE_BIT,
+                                     GL_SCISSOR_BIT,      GL_STENCIL_BUFFER_BIT, GL_TEXTURE_BIT,
+                                     GL_TRANSFORM_BIT,    GL_VIEWPORT_BIT,       GL_ALL_ATTRIB_BITS};
+
+struct Command {
+    const char* name;
+    void (*play)(Player& p);
+};
+
+// Enumerants as the values that parameter commands take.
+GLfloat enumerant_number(Player& p, const Enumerants& valid) {
+    return static_cast<GLfloat>(p.enumerant(valid));
+}
+
+void play_fog(Player& p) {
+    const GLenum pname = p.enumerant({TERRAZZO_E(GL_FOG_DENSITY), TERRAZZO_E(GL_FOG_START),
+                                      TERRAZZO_E(GL_FOG_END), TERRAZZO_E(GL_FOG_INDEX)});
+    if (p.pick(2)) {
+        p.gl().Fogf(pname, p.number());
+    } else {
+        p.gl().Fogi(pname, p.integer());
+    }
+}
+
+void play_fog_mode(Player& p) {
+    p.gl().Fogf(GL_FOG_MODE,
+                enumerant_number(p, {TERRAZZO_E(GL_LINEAR), TERRAZZO_E(GL_EXP), TERRAZZO_E(GL_EXP2)}));
+}
+
+void play_light_vector(Player& p) {
+    const GLenum light = p.enumerant(kLights);
+    const GLenum pname = p.enumerant(kLightVectors);
+    p.gl().Lightfv(light, pname, p.numbers(4).data());
+}
+
+void play_light_integers(Player& p) {
+    const GLenum light = p.enumerant(kLights);
+    const GLenum pname = p.enumerant(kLightVectors);
+    const GLint values[4] = {p.integer(), p.integer(), p.integer(), p.integer()};
+    p.gl().Lightiv(light, pname, values);
+}
+
+void play_light_scalar(Player& p) {
+    const GLenum light = p.enumerant(kLights);
+    const GLenum pname = p.enumerant(kLightScalars);
+    const GLfloat special[] = {45, 90, 91, 128, 129, 180, -0.5f};
+    const GLfloat value = p.pick(2) ? special[p.pick(7)] : p.number();
+    p.note(std::to_string(value));
+    p.gl().Lightf(light, pname, value);
+}
+
+void play_light_model(Player& p) {
+    switch (p.pick(4)) {
+        case 0:
+            return p.gl().LightModelfv(GL_LIGHT_MODEL_AMBIENT, p.numbers(4).data());
+        case 1:
+            return p.gl().LightModelf(GL_LIGHT_MODEL_LOCAL_VIEWER, p.number());
+        case 2:
+            return p.gl().LightModeli(GL_LIGHT_MODEL_TWO_SIDE, p.integer());
+    }
+    p.gl().LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
+                       static_cast<GLint>(p.enumerant(
+                           {TERRAZZO_E(GL_SINGLE_COLOR), TERRAZZO_E(GL_SEPARATE_SPECULAR_COLOR)})));
+}
+
+void play_material(Player& p) {
+    const GLenum face = p.enumerant(kFaces);
+    const GLenum pname = p.enumerant(kMaterialVectors);
+    p.gl().Materialfv(face, pname, p.numbers(4).data());
+}
+
+void play_shininess(Player& p) {
+    const GLenum face = p.enumerant(kFaces);
+    p.gl().Materialf(face, GL_SHININESS, p.number());
+}
+
+void play_texgen(Player& p) {
+    const GLenum coordinate = p.enumerant(kCoordinates);
+    if (p.pick(3) == 0) {
+        return p.gl().TexGenf(coordinate, GL_TEXTURE_GEN_MODE,
+                              enumerant_number(p, {TERRAZZO_E(GL_OBJECT_LINEAR), TERRAZZO_E(GL_EYE_LINEAR),
+                                                   TERRAZZO_E(GL_SPHERE_MAP)}));
+    }
+    const GLenum pname = p.enumerant({TERRAZZO_E(GL_OBJECT_PLANE), TERRAZZO_E(GL_EYE_PLANE)});
+    p.gl().TexGenfv(coordinate, pname, p.numbers(4).data());
+}
+
+void play_texture_environment(Player& p) {
+    if (p.pick(2)) return p.gl().TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, p.numbers(4).data());
+    const GLenum target = p.enumerant({TERRAZZO_E(GL_TEXTURE_ENV)});
+    p.gl().TexEnvi(target, GL_TEXTURE_ENV_MODE,
+                   static_cast<GLint>(p.enumerant({TERRAZZO_E(GL_MODULATE), TERRAZZO_E(GL_DECAL),
+                                                   TERRAZZO_E(GL_BLEND), TERRAZZO_E(GL_REPLACE)})));
+}
+
+// Matrices are kept moderate. When one becomes singular by rounding, the inverse that the reference finds
+// depends on what it had looked at before: PopAttrib, for one, may work out an inverse that nothing asked
+// for.
+void play_clip_plane(Player& p) {
+    const GLenum plane = p.enumerant(kClipPlanes);
+    const auto values = p.moderate_numbers(4);
+    const GLdouble equation[4] = {values[0], values[1], values[2], values[3]};
+    p.gl().ClipPlane(plane, equation);
+}
+
+void play_volume(Player& p) {
+    GLdouble side[6];
+    for (GLdouble& value : side) value = p.moderate_number();
+    if (p.pick(2)) {
+        p.gl().Frustum(side[0], side[1], side[2], side[3], side[4], side[5]);
+    } else {
+        p.gl().Ortho(side[0], side[1], side[2], side[3], side[4], side[5]);
+    }
+}
+
+void play_polygon_stipple(Player& p) {
+    GLubyte pattern[128];
+    for (GLubyte& byte : pattern) byte = static_cast<GLubyte>(p.bits());
+    p.gl().PolygonStipple(pattern);
+}
+
+void play_matrix(Player& p) {
+    const auto values = p.moderate_numbers(16);
+    if (p.pick(2)) {
+        p.gl().MultMatrixf(values.data());
+    } else {
+        p.gl().LoadMatrixf(values.data());
+    }
+}
+
+// The reference forgets, when a stack entry is popped, that groups which this entry had not saved were
+// changed, and then leaves them as they are when the entry below is popped. So what is nested saves
+// everything. Nor does it restore which lights are enabled for GL_ENABLE_BIT, as GL 1.5 table 6.12 has it.
+void play_push_attrib(Player& p) {
+    GLint depth = 0;
+    p.gl().GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+    GLbitfield mask = 0;
+    for (unsigned i = p.pick(4) + 1; i > 0; --i) mask |= kAttributeBits[p.pick(std::size(kAttributeBits))];
+    if (depth > 0) mask = GL_ALL_ATTRIB_BITS;
+    if (mask & GL_ENABLE_BIT) mask |= GL_LIGHTING_BIT;
+    p.note(std::to_string(mask));
+    p.gl().PushAttrib(mask);
+}
+
+// Arguments are drawn in statements of their own where a command takes several: the order in which C++
+// evaluates arguments is not defined, and both programs must make the same calls.
+const Command kCommands[] = {
+    {"glEnable", [](Player& p) { p.gl().Enable(p.enumerant(kCapabilities)); }},
+    {"glEnable", [](Player& p) { p.gl().Enable(p.enumerant(kCapabilities)); }},
+    {"glDisable", [](Player& p) { p.gl().Disable(p.enumerant(kCapabilities)); }},
+    {"glMatrixMode",
+     [](Player& p) {
+         p.gl().MatrixMode(
+             p.enumerant({TERRAZZO_E(GL_MODELVIEW), TERRAZZO_E(GL_PROJECTION), TERRAZZO_E(GL_TEXTURE)}));
+     }},
+    {"glPushMatrix", [](Player& p) { p.gl().PushMatrix(); }},
+    {"glPopMatrix", [](Player& p) { p.gl().PopMatrix(); }},
+    {"glLoadIdentity", [](Player& p) { p.gl().LoadIdentity(); }},
+    {"glRotatef",
+     [](Player& p) {
+         const auto v = p.moderate_numbers(4);
+         p.gl().Rotatef(v[0], v[1], v[2], v[3]);
+     }},
+    {"glTranslatef",
+     [](Player& p) {
+         const auto v = p.moderate_numbers(3);
+         p.gl().Translatef(v[0], v[1], v[2]);
+     }},
+    {"glScaled",
+     [](Player& p) {
+         const auto v = p.moderate_numbers(3);
+         p.gl().Scaled(v[0], v[1], v[2]);
+     }},
+    {"glFrustum or glOrtho", play_volume},
+    {"glMultMatrixf or glLoadMatrixf", play_matrix},
+    {"glClipPlane", play_clip_plane},
+    {"glViewport",
+     [](Player& p) {
+         const GLint v[4] = {p.integer(), p.integer(), p.integer(), p.integer()};
+         p.gl().Viewport(v[0], v[1], v[2], v[3]);
+     }},
+    {"glDepthRange",
+     [](Player& p) {
+         const auto v = p.numbers(2);
+         p.gl().DepthRange(v[0], v[1]);
+     }},
+    {"glFog", play_fog},
+    {"glFog mode", play_fog_mode},
+    {"glFogfv(GL_FOG_COLOR)", [](Player& p) { p.gl().Fogfv(GL_FOG_COLOR, p.numbers(4).data()); }},
+    {"glLightfv", play_light_vector},
+    {"glLightiv", play_light_integers},
+    {"glLightf", play_light_scalar},
+    {"glLightModel", play_light_model},
+    {"glMaterialfv", play_material},
+    {"glMaterialf(GL_SHININESS)", play_shininess},
+    {"glColorMaterial",
+     [](Player& p) {
+         const GLenum face = p.enumerant(kFaces);
+         p.gl().ColorMaterial(face, p.enumerant(kMaterialColors));
+     }},
+    {"glShadeModel",
+     [](Player& p) {
+         p.gl().ShadeModel(p.enumerant({TERRAZZO_E(GL_FLAT), TERRAZZO_E(GL_SMOOTH)}));
+     }},
+    {"glPointSize", [](Player& p) { p.gl().PointSize(p.number()); }},
+    {"glLineWidth", [](Player& p) { p.gl().LineWidth(p.number()); }},
+    {"glLineStipple",
+     [](Player& p) {
+         const GLint factor = p.integer();
+         p.gl().LineStipple(factor, static_cast<GLushort>(p.bits()));
+     }},
+    {"glPolygonMode",
+     [](Player& p) {
+         const GLenum face = p.enumerant(kFaces);
+         p.gl().PolygonMode(face,
+                            p.enumerant({TERRAZZO_E(GL_POINT), TERRAZZO_E(GL_LINE), TERRAZZO_E(GL_FILL)}));
+     }},
+    {"glPolygonOffset",
+     [](Player& p) {
+         const auto v = p.numbers(2);
+         p.gl().PolygonOffset(v[0], v[1]);
+     }},
+    {"glPolygonStipple", play_polygon_stipple},
+    {"glCullFace", [](Player& p) { p.gl().CullFace(p.enumerant(kFaces)); }},
+    {"glFrontFace",
+     [](Player& p) {
+         p.gl().FrontFace(p.enumerant({TERRAZZO_E(GL_CW), TERRAZZO_E(GL_CCW)}));
+     }},
+    {"glTexGen", play_texgen},
+    {"glTexEnv", play_texture_environment},
+    {"glScissor",
+     [](Player& p) {
+         const GLint v[4] = {p.integer(), p.integer(), p.integer(), p.integer()};
+         p.gl().Scissor(v[0], v[1], v[2], v[3]);
+     }},
+    {"glAlphaFunc",
+     [](Player& p) {
+         const GLenum func = p.enumerant(kComparisons);
+         p.gl().AlphaFunc(func, p.number());
+     }},
+    {"glStencilFunc",
+     [](Player& p) {
+         const GLenum func = p.enumerant(kComparisons);
+         const GLint reference = p.integer();
+         p.gl().StencilFunc(func, reference, p.bits());
+     }},
+    {"glStencilOp",
+     [](Player& p) {
+         const GLenum fail = p.enumerant(kStencilOperations), depth_fail = p.enumerant(kStencilOperations);
+         p.gl().StencilOp(fail, depth_fail, p.enumerant(kStencilOperations));
+     }},
+    {"glStencilMask", [](Player& p) { p.gl().StencilMask(p.bits()); }},
+    {"glDepthFunc", [](Player& p) { p.gl().DepthFunc(p.enumerant(kComparisons)); }},
+    {"glDepthMask", [](Player& p) { p.gl().DepthMask(p.flag()); }},
+    {"glBlendFunc",
+     [](Player& p) {
+         const GLenum source =
+             p.pick(8) ? p.enumerant(kBlendFactors) : p.enumerant({TERRAZZO_E(GL_SRC_ALPHA_SATURATE)});
+         p.gl().BlendFunc(source, p.enumerant(kBlendFactors));
+     }},
+    {"glLogicOp", [](Player& p) { p.gl().LogicOp(p.enumerant(kLogicOperations)); }},
+    {"glColorMask",
+     [](Player& p) {
+         const GLboolean v[4] = {p.flag(), p.flag(), p.flag(), static_cast<GLboolean>(p.pick(256))};
+         p.gl().ColorMask(v[0], v[1], v[2], v[3]);
+     }},
+    {"glIndexMask", [](Player& p) { p.gl().IndexMask(p.bits()); }},
+    {"glClearColor",
+     [](Player& p) {
+         const auto v = p.numbers(4);
+         p.gl().ClearColor(v[0], v[1], v[2], v[3]);
+     }},
+    // The reference keeps the index as an unsigned integer.
+    {"glClearIndex", [](Player& p) { p.gl().ClearIndex(static_cast<GLfloat>(p.pick(300))); }},
+    {"glClearDepth", [](Player& p) { p.gl().ClearDepth(p.number()); }},
+    {"glClearStencil", [](Player& p) { p.gl().ClearStencil(p.integer()); }},
+    {"glClearAccum",
+     [](Player& p) {
+         const auto v = p.numbers(4);
+         p.gl().ClearAccum(v[0], v[1], v[2], v[3]);
+     }},
+    {"glDrawBuffer", [](Player& p) { p.gl().DrawBuffer(p.enumerant(kBuffers)); }},
+    {"glReadBuffer", [](Player& p) { p.gl().ReadBuffer(p.enumerant(kReadBuffers)); }},
+    {"glHint",
+     [](Player& p) {
+         const GLenum target = p.enumerant(kHints);
+         p.gl().Hint(target,
+                     p.enumerant({TERRAZZO_E(GL_FASTEST), TERRAZZO_E(GL_NICEST), TERRAZZO_E(GL_DONT_CARE)}));
+     }},
+    {"glPushAttrib", play_push_attrib},
+    {"glPopAttrib", [](Player& p) { p.gl().PopAttrib(); }},
+    {"glPushClientAttrib", [](Player& p) { p.gl().PushClientAttrib(p.pick(4)); }},
+    {"glPopClientAttrib", [](Player& p) { p.gl().PopClientAttrib(); }},
+};
+
+}  // namespace
+
+std::string StatePlayer::play() {
+    const Command& command = kCommands[pick(std::size(kCommands))];
+    m_text = command.name;
+    command.play(*this);
+    return m_text;
+}
+
+GLenum StatePlayer::enumerant(const std::vector<Enumerant>& valid) {
+    const auto& source = pick(12) == 0 ? kInvalid : valid;
+    const Enumerant& chosen = source[pick(static_cast<unsigned>(source.size()))];
+    note(chosen.name);
+    return chosen.value;
+}
+
+GLfloat StatePlayer::number() {
+    if (pick(16)) return moderate_number();
+    note("1e10");
+    return 1e10f;
+}
+
+GLfloat StatePlayer::moderate_number() {
+    constexpr GLfloat kSpecial[] = {0, 1, -1, 0.5f, 2, 90, 128, 255, 1e-5f, -300};
+    const bool special = pick(2) == 0;
+    const GLfloat value =
+        special ? kSpecial[pick(std::size(kSpecial))] : static_cast<GLfloat>(pick(20001)) / 4096.0f - 2.0f;
+    note(std::to_string(value));
+    return value;
+}
+
+GLint StatePlayer::integer() {
+    constexpr GLint kSpecial[] = {0, 1, -1, 2, 255, 256, 257, 16384, 16385, 2147483647, -2147483647 - 1};
+    const GLint value = pick(2) ? kSpecial[pick(std::size(kSpecial))] : static_cast<GLint>(pick(600)) - 100;
+    note(std::to_string(value));
+    return value;
+}
+
+std::vector<GLfloat> StatePlayer::numbers(int count) {
+    std::vector<GLfloat> values;
+    for (int i = 0; i < count; ++i) values.push_back(number());
+    return values;
+}
+
+std::vector<GLfloat> StatePlayer::moderate_numbers(int count) {
+    std::vector<GLfloat> values;
+    for (int i = 0; i < count; ++i) values.push_back(moderate_number());
+    return values;
+}
+
+void StatePlayer::note(const std::string& argument) {
+    m_text += ' ' + argument;
+}
+
+}  // namespace terrazzo::test
