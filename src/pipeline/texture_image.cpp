@@ -1,11 +1,15 @@
-// Memory of texture images: allocation with padding that keeps the sampler's vector loads inside, and
-// copy-on-write.
+// Memory of texture images: allocation with padding that keeps the sampler's vector loads inside, and copy-on-write.
 #include "pipeline/texture_image.h"
 
 #include <cstring>
 #include <new>
 
 namespace terrazzo::pipeline {
+namespace {
+
+constexpr size_t kAlignment = 64;
+
+}  // namespace
 
 std::shared_ptr<TextureImage> TextureImage::create(int width, int height, int border_x, int border_y,
                                                    TexelStorage storage, BaseFormat base_format) {
@@ -22,21 +26,17 @@ std::shared_ptr<TextureImage> TextureImage::create(int width, int height, int bo
     image->storage = storage;
     image->base_format = base_format;
     image->pitch = image->stored_width();
-    const size_t unpadded = (image->size_in_bytes() + kPaddingBytes - 1) / kPaddingBytes * kPaddingBytes;
-    auto* memory = static_cast<uint8_t*>(std::aligned_alloc(kPaddingBytes, unpadded + 2 * kPaddingBytes));
-    if (memory == nullptr) return nullptr;
-    // The padding is read (never used), so it must hold something for the tools that watch uninitialised
-    // memory.
-    std::memset(memory, 0, kPaddingBytes);
-    image->m_texels.reset(memory + kPaddingBytes);
-    std::memset(memory + kPaddingBytes + image->size_in_bytes(), 0,
-                unpadded + kPaddingBytes - image->size_in_bytes());
+    // calloc: the zeros of a big image cost nothing until a page is touched.
+    image->m_memory.reset(std::calloc(1, image->size_in_bytes() + 2 * kPaddingBytes + kAlignment));
+    if (!image->m_memory) return nullptr;
+    const auto first = reinterpret_cast<uintptr_t>(image->m_memory.get()) + kPaddingBytes;
+    image->m_texels = reinterpret_cast<uint8_t*>((first + kAlignment - 1) / kAlignment * kAlignment);
     return image;
 }
 
 std::shared_ptr<TextureImage> TextureImage::clone() const {
     std::shared_ptr<TextureImage> copy = create(width, height, border_x, border_y, storage, base_format);
-    if (copy) std::memcpy(copy->m_texels.get(), m_texels.get(), size_in_bytes());
+    if (copy) std::memcpy(copy->m_texels, m_texels, size_in_bytes());
     return copy;
 }
 

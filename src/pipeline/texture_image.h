@@ -40,7 +40,7 @@ struct TextureImage {
     // the last.
     static constexpr size_t kPaddingBytes = 64;
 
-    // An image whose texels are not yet set; null when memory is short.
+    // An image of zeros; null when memory is short.
     static std::shared_ptr<TextureImage> create(int width, int height, int border_x, int border_y,
                                                 TexelStorage storage, BaseFormat base_format);
 
@@ -50,12 +50,12 @@ struct TextureImage {
     // The texel (x, y) with the border outside: x from -border_x to width + border_x - 1, y likewise. Texel
     // (0, 0) and with it every row of a power-of-two image without border is aligned to 64 bytes as far as
     // its width allows.
-    const uint8_t* rgba8(int x, int y) const { return m_texels.get() + 4 * index(x, y); }
-    uint8_t* rgba8(int x, int y) { return m_texels.get() + 4 * index(x, y); }
+    const uint8_t* rgba8(int x, int y) const { return m_texels + 4 * index(x, y); }
+    uint8_t* rgba8(int x, int y) { return m_texels + 4 * index(x, y); }
     const float* rgba32f(int x, int y) const {
-        return reinterpret_cast<const float*>(m_texels.get()) + 4 * index(x, y);
+        return reinterpret_cast<const float*>(m_texels) + 4 * index(x, y);
     }
-    float* rgba32f(int x, int y) { return reinterpret_cast<float*>(m_texels.get()) + 4 * index(x, y); }
+    float* rgba32f(int x, int y) { return reinterpret_cast<float*>(m_texels) + 4 * index(x, y); }
 
     int stored_width() const { return width + 2 * border_x; }
     int stored_height() const { return height + 2 * border_y; }
@@ -70,7 +70,7 @@ struct TextureImage {
 
   private:
     struct Free {
-        void operator()(uint8_t* texels) const { std::free(texels - kPaddingBytes); }
+        void operator()(void* memory) const { std::free(memory); }
     };
 
     ptrdiff_t index(int x, int y) const {
@@ -80,7 +80,8 @@ struct TextureImage {
         return static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()) * bytes_per_texel(storage);
     }
 
-    std::unique_ptr<uint8_t, Free> m_texels;  // the first stored texel, 64-byte aligned
+    std::unique_ptr<void, Free> m_memory;
+    uint8_t* m_texels = nullptr;  // the first stored texel, 64-byte aligned, inside m_memory
 };
 
 // The image to write to: `image` itself when nobody else holds it, else `image` is replaced by a copy. Null,
