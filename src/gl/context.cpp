@@ -9,6 +9,7 @@ std::unique_ptr<Context> create_context(const Config& config, Context* share_par
     auto ctx = std::make_unique<Context>();
     ctx->config = config;
     ctx->shared = share_partner ? share_partner->shared : std::make_shared<ShareGroup>();
+    init_texture_state(*ctx);
     return ctx;
 }
 

@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "gl/name_ranges.h"
+#include "gl/texture.h"
 
 namespace terrazzo::gl {
 
@@ -20,6 +21,7 @@ struct ShareGroup {
     std::mutex mutex;
     NameRanges list_names;  // in use: made by NewList or set aside by GenLists
     std::map<GLuint, std::shared_ptr<const DisplayList>> lists;  // those that are not empty
+    TextureNames textures;
 };
 
 }  // namespace terrazzo::gl

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <unordered_map>
 
 #include "gl/limits.h"
@@ -38,7 +39,6 @@ struct TextureParameters {
     GLfloat max_lod = 1000;
     GLint base_level = 0;
     GLint max_level = 1000;
-    bool generate_mipmap = false;
 };
 
 // One mipmap level as glTexImage specified it. Sizes include the border.
@@ -93,8 +93,10 @@ struct TextureNames {
 // Binds the default textures to all units; called once when a context is made, after `ctx.shared` is set.
 void init_texture_state(Context& ctx);
 
-// The object that commands naming `target` act on: the one bound to the active unit. `target` is
-// GL_TEXTURE_1D or _2D.
-TextureObject& bound_texture(Context& ctx, GLenum target);
+std::unique_lock<std::mutex> lock_textures(Context& ctx);
+
+// The object that commands naming `target` act on: the one bound to the active unit. Null when `target` is
+// neither GL_TEXTURE_1D nor GL_TEXTURE_2D.
+TextureObject* bound_texture(Context& ctx, GLenum target);
 
 }  // namespace terrazzo::gl

@@ -1,4 +1,5 @@
-// Memory of texture images: allocation with padding that keeps the sampler's vector loads inside, and copy-on-write.
+// Memory of texture images: allocation with padding that keeps the sampler's vector loads inside, and
+// copy-on-write.
 #include "pipeline/texture_image.h"
 
 #include <cstring>

@@ -1,0 +1,62 @@
+// Rows of pixels between client memory and RGBA groups (GL 1.5 §3.6.4, §4.3.2).
+//
+// Two group types: four bytes, for client types whose components have at most 8 unsigned bits, and four
+// floats for all others. Integers scale so that the largest is 1.0; signed ones c / (2^(n-1) - 1), as OSMesa
+// and later versions of the specification have it. Nothing is clamped on the way in; on the way out integers
+// saturate. Client rows need no alignment. Callers work in chunks of kPixelChunk pixels so that scratch rows
+// stay in L1.
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <cstdint>
+
+namespace terrazzo::gl {
+
+inline constexpr int kPixelChunk = 256;
+
+// A packed client field to 8 bits: its bits repeated, as the reference samples and reads such texels.
+constexpr unsigned expand_to_8_bits(unsigned value, unsigned bits) {
+    if (bits == 1) return value * 255;
+    if (bits == 2) return value * 85;
+    if (bits == 3) return value << 5 | value << 2 | value >> 1;
+    return value << (8 - bits) | value >> (2 * bits - 8);
+}
+
+// 8 bits to fewer, rounding to nearest.
+constexpr unsigned reduce_from_8_bits(unsigned value, unsigned bits) {
+    const unsigned maximum = (1u << bits) - 1;
+    return (value * maximum + 127) / 255;
+}
+
+// To an n-bit unsigned normalised integer, saturating; NaN becomes 0.
+unsigned unorm_from_float(float value, unsigned bits);
+
+// Whether `unpack_rgba8` can take pixels of this type, and `pack_rgba8` make them, without losing anything.
+bool has_8_bit_components(GLenum type);
+
+// Client pixels to RGBA. Missing colour components become 0, missing alpha 1, luminance goes to R, G and B.
+// `format` is a colour format; `unpack_rgba8` needs `has_8_bit_components(type)`.
+void unpack_rgba8(GLenum format, GLenum type, bool swap_bytes, const void* source, int count, uint8_t* rgba);
+void unpack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const void* source, int count,
+                       float* rgba);
+
+// Client indices. `first_bit` counts pixels from the first byte's first bit for GL_BITMAP.
+void unpack_indices(GLenum type, bool swap_bytes, bool lsb_first, const void* source, int first_bit,
+                    int count, uint32_t* indices);
+
+// RGBA to client pixels; luminance takes R. `pack_rgba8` makes every type but those with fields of 10 bits.
+void pack_rgba8(GLenum format, GLenum type, bool swap_bytes, const uint8_t* rgba, int count,
+                void* destination);
+void pack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const float* rgba, int count,
+                     void* destination);
+
+// Indices to client memory, masked to the type's positive range (GL 1.5 table 4.6).
+void pack_indices(GLenum type, bool swap_bytes, bool lsb_first, const uint32_t* indices, int count,
+                  void* destination, int first_bit);
+
+// Depths in 0..1 to client memory, as one component of any unpacked type.
+void pack_depths(GLenum type, bool swap_bytes, const double* depths, int count, void* destination);
+
+}  // namespace terrazzo::gl

@@ -1,0 +1,28 @@
+// Rows between RGBA groups and stored texels (GL 1.5 §3.8.1 table 3.15, §6.1.4 table 6.1).
+//
+// Storing keeps the channels of the base format, quantises them to the format's sizes and spreads them over
+// R, G, B, A as sampling sees them. Loading gives back what GetTexImage returns: luminance and intensity in R
+// only.
+#pragma once
+
+#include <cstdint>
+
+#include "gl/texture_format.h"
+#include "pipeline/texture_image.h"
+
+namespace terrazzo::gl {
+
+// Writes `count` texels from (x, y) on, coordinates as in TextureImage. `count` is at most kPixelChunk.
+void store_texels(const TexelFormat& format, const uint8_t* rgba, int count, pipeline::TextureImage& image,
+                  int x, int y);
+void store_texels(const TexelFormat& format, const float* rgba, int count, pipeline::TextureImage& image,
+                  int x, int y);
+
+// The 8-bit form needs 8-bit storage; sizes below 8 bits are widened by repeating bits. The float form is
+// exact.
+void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int count,
+                 uint8_t* rgba);
+void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int count,
+                 float* rgba);
+
+}  // namespace terrazzo::gl

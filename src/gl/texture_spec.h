@@ -1,0 +1,60 @@
+// Checks that the commands defining texture images share (GL 1.5 §3.8.1-3.8.3), and the writing of client
+// rows into an image.
+#pragma once
+
+#include <GL/gl.h>
+
+#include "gl/client_pixel.h"
+#include "gl/texture.h"
+
+namespace terrazzo::gl {
+
+// What a command says about a level. 1D images have height 1 and no border in y.
+struct LevelSpec {
+    GLint level;
+    GLint internal_format;
+    GLsizei width;  // with border
+    GLsizei height;
+    GLint border;
+    bool is_1d;
+
+    GLint border_y() const { return is_1d ? 0 : border; }
+};
+
+// A rectangle of a level, relative to its interior: from -border on.
+struct LevelRect {
+    GLint x, y;
+    GLsizei width, height;
+};
+
+bool is_level(GLint level);
+
+// Level, sizes and border that are wrong whatever the implementation can do.
+Rule check_level_spec(const LevelSpec& spec);
+
+// Whether an image of this size can be made at this level; if not, GL_INVALID_VALUE, or an empty proxy.
+bool is_supported_size(const LevelSpec& spec);
+
+// Whether the memory for one image is within bounds; if not, GL_OUT_OF_MEMORY, or an empty proxy.
+bool is_supported_memory(const LevelSpec& spec, const TexelFormat& format);
+
+// Whether `format` and `type` can describe colours for a texture.
+Rule check_texture_pixels(GLenum format, GLenum type);
+
+// A level ready to be put into a texture object, its image zero. Throws std::bad_alloc.
+TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format);
+
+// Whether `rect` lies within the level; `level` is specified.
+bool contains(const TextureLevel& level, const LevelRect& rect);
+
+// Pixels in client memory.
+struct ClientImage {
+    GLenum format, type;
+    const void* pixels;
+};
+
+// Converts a client image through the unpack and pixel transfer state into texels.
+void upload(const PixelState& state, const ClientImage& client, const TexelFormat& format,
+            const LevelRect& rect, pipeline::TextureImage& image);
+
+}  // namespace terrazzo::gl
