@@ -196,7 +196,7 @@ T from_8_bits(unsigned value) {
     if constexpr (std::is_same_v<T, float>) {
         return static_cast<float>(value) * (1.0f / 255.0f);
     } else if constexpr (std::is_same_v<T, int8_t>) {
-        return static_cast<int8_t>(reduce_from_8_bits(value, 7));
+        return static_cast<int8_t>(resize_unorm(value, 8, 7));
     } else {
         const unsigned repeated = value * 0x01010101u;
         constexpr unsigned kDrop = 32 - std::numeric_limits<T>::digits;
@@ -299,7 +299,7 @@ void unpack_rgba8(GLenum format, GLenum type, bool swap_bytes, const void* sourc
     }
     uint8_t components[4 * kPixelChunk];
     for_each_field(*packed, bytes, swap_bytes, count, [&](int component, unsigned field, unsigned bits) {
-        components[component] = static_cast<uint8_t>(expand_to_8_bits(field, bits));
+        components[component] = static_cast<uint8_t>(resize_unorm(field, bits, 8));
     });
     components_to_rgba<uint8_t>(components, format, 255, count, rgba);
 }
@@ -347,7 +347,7 @@ void pack_rgba8(GLenum format, GLenum type, bool swap_bytes, const uint8_t* rgba
     rgba_to_components(rgba, format, count, components);
     if (const PackedType* packed = find_packed_type(type)) {
         const auto field = [&](int component, unsigned bits) {
-            return reduce_from_8_bits(components[component], bits);
+            return resize_unorm(components[component], 8, bits);
         };
         pack_fields(*packed, field, swap_bytes, count, bytes);
         return;

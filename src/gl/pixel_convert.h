@@ -16,24 +16,22 @@ namespace terrazzo::gl {
 
 inline constexpr int kPixelChunk = 256;
 
-// A packed client field to 8 bits: its bits repeated, as the reference samples and reads such texels.
-constexpr unsigned expand_to_8_bits(unsigned value, unsigned bits) {
-    if (bits == 1) return value * 255;
-    if (bits == 2) return value * 85;
-    if (bits == 3) return value << 5 | value << 2 | value >> 1;
-    return value << (8 - bits) | value >> (2 * bits - 8);
-}
-
-// 8 bits to fewer, rounding to nearest.
-constexpr unsigned reduce_from_8_bits(unsigned value, unsigned bits) {
-    const unsigned maximum = (1u << bits) - 1;
-    return (value * maximum + 127) / 255;
+// Unsigned normalised integers between sizes of 1 to 16 bits: a wider one repeats the bits, a narrower one
+// rounds to nearest. So the reference converts between integers, and so it samples formats below 8 bits.
+constexpr unsigned resize_unorm(unsigned value, unsigned from_bits, unsigned to_bits) {
+    if (to_bits <= from_bits) {
+        const unsigned from = (1u << from_bits) - 1, to = (1u << to_bits) - 1;
+        return (value * to + from / 2) / from;
+    }
+    unsigned repeated = value, bits = from_bits;
+    for (; bits < to_bits; bits += from_bits) repeated = repeated << from_bits | value;
+    return repeated >> (bits - to_bits);
 }
 
 // To an n-bit unsigned normalised integer, saturating; NaN becomes 0.
 unsigned unorm_from_float(float value, unsigned bits);
 
-// Whether `unpack_rgba8` can take pixels of this type, and `pack_rgba8` make them, without losing anything.
+// Whether all components of this type are unsigned and have at most 8 bits: what `unpack_rgba8` can take.
 bool has_8_bit_components(GLenum type);
 
 // Client pixels to RGBA. Missing colour components become 0, missing alpha 1, luminance goes to R, G and B.
@@ -46,7 +44,7 @@ void unpack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const void* 
 void unpack_indices(GLenum type, bool swap_bytes, bool lsb_first, const void* source, int first_bit,
                     int count, uint32_t* indices);
 
-// RGBA to client pixels; luminance takes R. `pack_rgba8` makes every type but those with fields of 10 bits.
+// RGBA to client pixels; luminance takes R.
 void pack_rgba8(GLenum format, GLenum type, bool swap_bytes, const uint8_t* rgba, int count,
                 void* destination);
 void pack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const float* rgba, int count,

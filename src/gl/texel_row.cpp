@@ -19,8 +19,7 @@ constexpr std::array<QuantizeTable, 9> make_quantize_tables() {
     std::array<QuantizeTable, 9> tables{};
     for (unsigned bits = 1; bits <= 8; ++bits) {
         for (unsigned value = 0; value < 256; ++value) {
-            tables[bits][value] =
-                static_cast<uint8_t>(expand_to_8_bits(reduce_from_8_bits(value, bits), bits));
+            tables[bits][value] = static_cast<uint8_t>(resize_unorm(resize_unorm(value, 8, bits), bits, 8));
         }
     }
     return tables;
@@ -50,7 +49,7 @@ Channels stored_channels(BaseFormat base) {
     return {0, 1, 2, 3};
 }
 
-// Table 6.1 applied to stored channels.
+// GL 1.5 table 6.1 applied to stored channels.
 Channels loaded_channels(BaseFormat base) {
     switch (base) {
         case BaseFormat::kLuminance:
@@ -67,13 +66,22 @@ Channels loaded_channels(BaseFormat base) {
     return {0, 1, 2, 3};
 }
 
-template <typename T, typename Convert>
-void spread(Channels channels, T one, const T* source, int count, T* destination, Convert convert) {
+template <typename T>
+void spread(Channels channels, T one, const T* source, int count, T* destination) {
     T pixel[6] = {};
     pixel[kOne] = one;
     for (int i = 0; i < count; ++i, source += 4, destination += 4) {
-        for (size_t c = 0; c < 4; ++c) pixel[c] = convert(c, source[c]);
+        for (size_t c = 0; c < 4; ++c) pixel[c] = source[c];
         for (size_t c = 0; c < 4; ++c) destination[c] = pixel[channels[c]];
+    }
+}
+
+// Converts the channels that the format keeps; the others are not looked at when the texel is spread.
+template <typename T, typename U, typename Convert>
+void convert_channels(const TexelFormat& format, const T* rgba, int count, U* converted, Convert convert) {
+    for (int i = 0; i < 4 * count; ++i) {
+        const unsigned bits = format.bits[i & 3];
+        converted[i] = bits == 0 ? U{0} : static_cast<U>(convert(rgba[i], bits));
     }
 }
 
@@ -84,74 +92,79 @@ bool keeps_all_bits(const TexelFormat& format) {
     return true;
 }
 
-// The integer behind a float texel was stored divided by the same maximum, so this division gives the same
-// float.
-float quantized(float value, unsigned bits) {
-    if (bits == 0) return 0.0f;
-    return static_cast<float>(unorm_from_float(value, bits)) / static_cast<float>((1u << bits) - 1);
+// A float texel is the integer that a texture of this format holds, divided by the largest.
+float float_texel(unsigned integer, unsigned bits) {
+    return static_cast<float>(integer) * (1.0f / static_cast<float>((1u << bits) - 1));
 }
 
 }  // namespace
 
 void store_texels(const TexelFormat& format, const uint8_t* rgba, int count, TextureImage& image, int x,
                   int y) {
+    const Channels channels = stored_channels(format.base_format);
     if (image.storage == TexelStorage::kRgba32F) {
-        float wide[4 * kPixelChunk];
-        for (int i = 0; i < 4 * count; ++i) wide[i] = static_cast<float>(rgba[i]) * (1.0f / 255.0f);
-        store_texels(format, wide, count, image, x, y);
+        float texels[4 * kPixelChunk];
+        convert_channels(format, rgba, count, texels, [](unsigned value, unsigned bits) {
+            return float_texel(resize_unorm(value, 8, bits), bits);
+        });
+        spread(channels, 1.0f, texels, count, image.rgba32f(x, y));
         return;
     }
     uint8_t* texels = image.rgba8(x, y);
     if (!keeps_all_bits(format)) {
-        spread<uint8_t>(stored_channels(format.base_format), 255, rgba, count, texels,
-                        [&](size_t c, uint8_t value) { return kQuantize[format.bits[c]][value]; });
+        uint8_t quantized[4 * kPixelChunk];
+        convert_channels(format, rgba, count, quantized,
+                         [](unsigned value, unsigned bits) { return kQuantize[bits][value]; });
+        spread<uint8_t>(channels, 255, quantized, count, texels);
     } else if (format.base_format == BaseFormat::kRgba) {
         std::memcpy(texels, rgba, static_cast<size_t>(count) * 4);
     } else {
-        spread<uint8_t>(stored_channels(format.base_format), 255, rgba, count, texels,
-                        [](size_t, uint8_t value) { return value; });
+        spread<uint8_t>(channels, 255, rgba, count, texels);
     }
 }
 
-void store_texels(const TexelFormat& format, const float* rgba, int count, TextureImage& image, int x,
-                  int y) {
+void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
+                  TextureImage& image, int x, int y) {
     const Channels channels = stored_channels(format.base_format);
     if (image.storage == TexelStorage::kRgba32F) {
-        spread(channels, 1.0f, rgba, count, image.rgba32f(x, y),
-               [&](size_t c, float value) { return quantized(value, format.bits[c]); });
+        float texels[4 * kPixelChunk];
+        convert_channels(format, rgba, count, texels, [](float value, unsigned bits) {
+            return float_texel(unorm_from_float(value, bits), bits);
+        });
+        spread(channels, 1.0f, texels, count, image.rgba32f(x, y));
         return;
     }
-    uint8_t narrow[4 * kPixelChunk];
-    for (int i = 0; i < 4 * count; ++i) {
-        const unsigned bits = format.bits[i & 3];
-        narrow[i] = bits == 0 ? uint8_t{0}
-                              : static_cast<uint8_t>(expand_to_8_bits(unorm_from_float(rgba[i], bits), bits));
+    uint8_t bytes[4 * kPixelChunk];
+    if (rounding == Rounding::kThroughBytes) {
+        for (int i = 0; i < 4 * count; ++i) bytes[i] = static_cast<uint8_t>(unorm_from_float(rgba[i], 8));
+        return store_texels(format, bytes, count, image, x, y);
     }
-    spread<uint8_t>(channels, 255, narrow, count, image.rgba8(x, y),
-                    [](size_t, uint8_t value) { return value; });
+    convert_channels(format, rgba, count, bytes, [](float value, unsigned bits) {
+        return resize_unorm(unorm_from_float(value, bits), bits, 8);
+    });
+    spread<uint8_t>(channels, 255, bytes, count, image.rgba8(x, y));
 }
 
 void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int count,
                  uint8_t* rgba) {
-    spread<uint8_t>(loaded_channels(format.base_format), 255, image.rgba8(x, y), count, rgba,
-                    [](size_t, uint8_t value) { return value; });
+    spread<uint8_t>(loaded_channels(format.base_format), 255, image.rgba8(x, y), count, rgba);
 }
 
 void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int count, float* rgba) {
     const Channels channels = loaded_channels(format.base_format);
     if (image.storage == TexelStorage::kRgba32F) {
-        spread(channels, 1.0f, image.rgba32f(x, y), count, rgba, [](size_t, float value) { return value; });
+        spread(channels, 1.0f, image.rgba32f(x, y), count, rgba);
         return;
     }
-    // A channel that the format lacks holds 0 or 255 and reads as 8 bits.
-    float wide[4 * kPixelChunk];
-    const uint8_t* texels = image.rgba8(x, y);
+    float texels[4 * kPixelChunk];
+    const uint8_t* stored = image.rgba8(x, y);
+    convert_channels(format, stored, count, texels,
+                     [](unsigned value, unsigned bits) { return float_texel(value >> (8 - bits), bits); });
+    // Channels that the format lacks are constants, which `spread` must take from what is stored.
     for (int i = 0; i < 4 * count; ++i) {
-        const unsigned bits = format.bits[i & 3] == 0 ? 8 : format.bits[i & 3];
-        const unsigned code = texels[i] >> (8 - bits);
-        wide[i] = static_cast<float>(code) * (1.0f / static_cast<float>((1u << bits) - 1));
+        if (format.bits[i & 3] == 0) texels[i] = stored[i] == 0 ? 0.0f : 1.0f;
     }
-    spread(channels, 1.0f, wide, count, rgba, [](size_t, float value) { return value; });
+    spread(channels, 1.0f, texels, count, rgba);
 }
 
 }  // namespace terrazzo::gl

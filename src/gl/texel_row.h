@@ -12,11 +12,15 @@
 
 namespace terrazzo::gl {
 
+// How floats reach a size below 8 bits. The reference rounds once what comes to it as RGBA floats and takes
+// everything else through 8 bits, which shows near the middle between two values.
+enum class Rounding { kOnce, kThroughBytes };
+
 // Writes `count` texels from (x, y) on, coordinates as in TextureImage. `count` is at most kPixelChunk.
 void store_texels(const TexelFormat& format, const uint8_t* rgba, int count, pipeline::TextureImage& image,
                   int x, int y);
-void store_texels(const TexelFormat& format, const float* rgba, int count, pipeline::TextureImage& image,
-                  int x, int y);
+void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
+                  pipeline::TextureImage& image, int x, int y);
 
 // The 8-bit form needs 8-bit storage; sizes below 8 bits are widened by repeating bits. The float form is
 // exact.

@@ -39,7 +39,10 @@ constexpr TexelFormat kRgba8 = rgba8_format(GL_RGBA, BaseFormat::kRgba, 8, 8, 8,
 constexpr TexelFormat kRgb10A2 = float_format(GL_RGBA, BaseFormat::kRgba, 10, 2);
 constexpr TexelFormat kRgba16 = float_format(GL_RGBA, BaseFormat::kRgba, 16, 16);
 
-const TexelFormat* choose_rgb(GLenum client_type) {
+const TexelFormat* choose_rgb(GLenum client_type, bool swap_bytes) {
+    if (client_type == GL_UNSIGNED_SHORT_5_5_5_1) return &kRgb555;
+    if (client_type == GL_UNSIGNED_INT_2_10_10_10_REV) return &kRgb10;
+    if (swap_bytes) return &kRgb8;
     switch (client_type) {
         case GL_UNSIGNED_BYTE_3_3_2:
         case GL_UNSIGNED_BYTE_2_3_3_REV:
@@ -47,25 +50,22 @@ const TexelFormat* choose_rgb(GLenum client_type) {
         case GL_UNSIGNED_SHORT_5_6_5:
         case GL_UNSIGNED_SHORT_5_6_5_REV:
             return &kRgb565;
-        case GL_UNSIGNED_SHORT_5_5_5_1:
-            return &kRgb555;
-        case GL_UNSIGNED_INT_2_10_10_10_REV:
-            return &kRgb10;
         default:
             return &kRgb8;
     }
 }
 
-const TexelFormat* choose_rgba(GLenum client_format, GLenum client_type) {
+const TexelFormat* choose_rgba(GLenum client_format, GLenum client_type, bool swap_bytes) {
+    if (client_type == GL_UNSIGNED_SHORT_5_5_5_1) return &kRgb5A1;
+    if (client_type == GL_UNSIGNED_INT_2_10_10_10_REV) return &kRgb10A2;
+    if (swap_bytes) return &kRgba8;
     switch (client_type) {
         case GL_UNSIGNED_SHORT_4_4_4_4:
         case GL_UNSIGNED_SHORT_4_4_4_4_REV:
             return &kRgba4;
-        case GL_UNSIGNED_SHORT_5_5_5_1:
         case GL_UNSIGNED_SHORT_1_5_5_5_REV:
             return &kRgb5A1;
         case GL_UNSIGNED_INT_10_10_10_2:
-        case GL_UNSIGNED_INT_2_10_10_10_REV:
             return &kRgb10A2;
         case GL_UNSIGNED_SHORT:
             return client_format == GL_RGBA ? &kRgba16 : &kRgba8;
@@ -76,10 +76,11 @@ const TexelFormat* choose_rgba(GLenum client_format, GLenum client_type) {
 
 }  // namespace
 
-const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type) {
+const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type,
+                                       bool swap_bytes) {
     // Unsized single-channel formats keep 16 bits when the client's pixels are of the same kind.
-    const bool same_16_bits =
-        client_type == GL_UNSIGNED_SHORT && client_format == static_cast<GLenum>(internal_format);
+    const bool same_16_bits = !swap_bytes && client_type == GL_UNSIGNED_SHORT &&
+                              client_format == static_cast<GLenum>(internal_format);
     switch (internal_format) {
         case GL_ALPHA:
             return same_16_bits ? &kA16 : &kA8;
@@ -120,7 +121,7 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_form
         case GL_R3_G3_B2:
             return &kRgb332;
         case GL_RGB:
-            return choose_rgb(client_type);
+            return choose_rgb(client_type, swap_bytes);
         case GL_RGB4:
             return &kRgb444;
         case GL_RGB5:
@@ -134,7 +135,7 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_form
         case GL_RGB16:
             return &kRgb16;
         case GL_RGBA:
-            return choose_rgba(client_format, client_type);
+            return choose_rgba(client_format, client_type, swap_bytes);
         case GL_RGBA2:
         case GL_RGBA4:
             return &kRgba4;

@@ -23,8 +23,10 @@ struct TexelFormat {
     std::array<unsigned char, 4> bits;
 };
 
-// The format kept for `internal_format`; null when it is no internal format of textures. The client's format
-// and type choose the size where `internal_format` names none, as OSMesa has it.
-const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type);
+// The format kept for `internal_format`; null when it is no internal format of textures. The client's pixels
+// choose the size where `internal_format` names none, as OSMesa has it: its rules leave out most types when
+// bytes are swapped.
+const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type,
+                                       bool swap_bytes);
 
 }  // namespace terrazzo::gl

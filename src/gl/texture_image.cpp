@@ -46,7 +46,8 @@ void tex_image(Context& ctx, GLenum target, const LevelSpec& spec, const ClientI
     Rule rule = check_level_spec(spec);
     if (rule.code == GL_NO_ERROR) rule = check_texture_pixels(client.format, client.type);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
-    const TexelFormat* format = choose_texel_format(spec.internal_format, client.format, client.type);
+    const TexelFormat* format =
+        choose_texel_format(spec.internal_format, client.format, client.type, ctx.pixels.unpack.swap_bytes);
     if (!format) return record_error(ctx, GL_INVALID_VALUE, "unknown internal format");
     if (proxy) return specify_proxy(*proxy, spec, *format);
     specify_image(ctx, *bound_texture(ctx, target), spec, *format, client);

@@ -72,26 +72,35 @@ bool query_level(const TextureLevel& level, GLenum pname, GLint& value) {
     }
 }
 
-// Whether 8 bits carry everything from the stored texels to the client's type.
-bool fits_8_bits(const TexelFormat& format, GLenum type) {
-    if (format.storage != pipeline::TexelStorage::kRgba8) return false;
+bool keeps_all_bits(const TexelFormat& format) {
+    return std::all_of(format.bits.begin(), format.bits.end(),
+                       [](unsigned char bits) { return bits == 0 || bits == 8; });
+}
+
+// Whether texels go to the client by way of bytes. Bytes carry everything then; where both ways would do, the
+// choice is the reference's, which shows in the rounding.
+bool goes_through_bytes(const TexelFormat& texel, GLenum format, GLenum type) {
+    if (texel.storage != pipeline::TexelStorage::kRgba8) return false;
+    if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA) return false;
     if (has_8_bit_components(type)) return true;
-    const bool keeps_8_bits = std::all_of(format.bits.begin(), format.bits.end(),
-                                          [](unsigned char bits) { return bits == 0 || bits == 8; });
-    return keeps_8_bits && !find_packed_type(type);
+    return keeps_all_bits(texel) && (!find_packed_type(type) || texel.base == GL_RGBA);
 }
 
 void pack_texels(const PixelStore& pack, const TextureLevel& level, int x, int y, int count, GLenum format,
                  GLenum type, uint8_t* destination) {
-    if (fits_8_bits(*level.format, type)) {
-        uint8_t rgba[4 * kPixelChunk];
-        load_texels(*level.format, *level.image, x, y, count, rgba);
-        pack_rgba8(format, type, pack.swap_bytes, rgba, count, destination);
-    } else {
-        float rgba[4 * kPixelChunk];
-        load_texels(*level.format, *level.image, x, y, count, rgba);
-        pack_rgba_float(format, type, pack.swap_bytes, rgba, count, destination);
+    uint8_t bytes[4 * kPixelChunk];
+    if (goes_through_bytes(*level.format, format, type)) {
+        load_texels(*level.format, *level.image, x, y, count, bytes);
+        return pack_rgba8(format, type, pack.swap_bytes, bytes, count, destination);
     }
+    float rgba[4 * kPixelChunk];
+    load_texels(*level.format, *level.image, x, y, count, rgba);
+    if (!has_8_bit_components(type)) {
+        return pack_rgba_float(format, type, pack.swap_bytes, rgba, count, destination);
+    }
+    // Sizes below 8 bits are reached by way of 8 bits.
+    for (int i = 0; i < 4 * count; ++i) bytes[i] = static_cast<uint8_t>(unorm_from_float(rgba[i], 8));
+    pack_rgba8(format, type, pack.swap_bytes, bytes, count, destination);
 }
 
 }  // namespace

@@ -18,6 +18,16 @@ bool is_supported_extent(GLsizei size, GLint border, GLint level) {
     return size >= 2 * border && size <= (kMaxTextureSize >> level) + 2 * border;
 }
 
+// Whether pixels become texels by way of bytes. Bytes carry everything then; where both ways would do, the
+// choice is the reference's, which shows in the rounding to 10 bits.
+bool goes_through_bytes(const PixelState& state, const ClientImage& client, const TexelFormat& format) {
+    if (!is_color_format(client.format) || !has_8_bit_components(client.type) || changes_colors(state))
+        return false;
+    if (format.storage == pipeline::TexelStorage::kRgba8) return true;
+    return client.format == GL_RGBA &&
+           (client.type == GL_UNSIGNED_BYTE || client.type == GL_UNSIGNED_INT_8_8_8_8_REV);
+}
+
 // Converts pixels of one row, `count` <= kPixelChunk, and stores them from (x, y) on.
 class RowUploader {
   public:
@@ -27,28 +37,31 @@ class RowUploader {
           m_client(client),
           m_format(format),
           m_image(image),
-          m_direct(is_color_format(client.format) && has_8_bit_components(client.type) &&
-                   !changes_colors(state)) {}
+          m_bytes(goes_through_bytes(state, client, format)),
+          m_transfer(changes_colors(state)) {}
 
     void store(const uint8_t* source, int first_bit, int count, int x, int y) const {
-        const PixelStore& unpack = m_state.unpack;
-        if (m_direct) {
+        const bool swap_bytes = m_state.unpack.swap_bytes;
+        if (m_bytes) {
             uint8_t rgba[4 * kPixelChunk];
-            unpack_rgba8(m_client.format, m_client.type, unpack.swap_bytes, source, count, rgba);
-            store_texels(m_format, rgba, count, m_image, x, y);
-            return;
+            unpack_rgba8(m_client.format, m_client.type, swap_bytes, source, count, rgba);
+            return store_texels(m_format, rgba, count, m_image, x, y);
         }
         float rgba[4 * kPixelChunk];
+        Rounding rounding = Rounding::kThroughBytes;
         if (m_client.format == GL_COLOR_INDEX) {
             uint32_t indices[kPixelChunk];
-            unpack_indices(m_client.type, unpack.swap_bytes, unpack.lsb_first, source, first_bit, count,
+            unpack_indices(m_client.type, swap_bytes, m_state.unpack.lsb_first, source, first_bit, count,
                            indices);
             transfer_indices_to_colors(m_state, indices, count, rgba);
         } else {
-            unpack_rgba_float(m_client.format, m_client.type, unpack.swap_bytes, source, count, rgba);
-            if (changes_colors(m_state)) transfer_colors(m_state, rgba, count);
+            unpack_rgba_float(m_client.format, m_client.type, swap_bytes, source, count, rgba);
+            if (m_transfer) transfer_colors(m_state, rgba, count);
+            if (m_transfer || (m_client.format == GL_RGBA && m_client.type == GL_FLOAT)) {
+                rounding = Rounding::kOnce;
+            }
         }
-        store_texels(m_format, rgba, count, m_image, x, y);
+        store_texels(m_format, rgba, rounding, count, m_image, x, y);
     }
 
   private:
@@ -56,7 +69,8 @@ class RowUploader {
     const ClientImage& m_client;
     const TexelFormat& m_format;
     pipeline::TextureImage& m_image;
-    bool m_direct;
+    bool m_bytes;
+    bool m_transfer;
 };
 
 }  // namespace
