@@ -111,6 +111,7 @@ Drawing drawing_of(const kit::ChildReport& report) {
     }
     const nlohmann::json& result = report.result;
     drawing.renderer = result["renderer"].get<std::string>();
+    drawing.format = result["format"].get<GLenum>();
     drawing.colour = result["colour"].get_binary();
     const std::vector<std::uint8_t>& depth = result["depth"].get_binary();
     drawing.depth.resize(depth.size() / sizeof(std::uint32_t));

@@ -15,6 +15,7 @@ namespace terrazzo::piglit {
 struct Drawing {
     std::string failure;  // empty when the child finished
     std::string renderer;
+    GLenum format = OSMESA_RGBA;
     std::vector<std::uint8_t> colour;
     std::vector<std::uint32_t> depth;
     std::vector<std::uint8_t> stencil;

@@ -27,7 +27,9 @@ nlohmann::json draw(const nlohmann::json& arguments) {
     const piglit::Scene* scene = piglit::find_scene(name);
     if (!scene) throw std::runtime_error("no scene is called " + name);
     const kit::Library library(arguments.at("library").get<std::string>());
-    const kit::OffscreenContext context(library, scene->context);
+    kit::ContextOptions options = scene->context;
+    if (arguments.value("in_rgba", false)) options.format = OSMESA_RGBA;
+    const kit::OffscreenContext context(library, options);
     clear_to_background(library.gl);
     piglit::Notes notes;
     scene->draw(library.gl, notes);
@@ -41,6 +43,7 @@ nlohmann::json draw(const nlohmann::json& arguments) {
     result["colour"] = binary(context.colour_buffer().data(), context.colour_buffer().size());
     result["depth"] = binary(depth.data(), depth.size() * sizeof(std::uint32_t));
     result["stencil"] = binary(stencil.data(), stencil.size());
+    result["format"] = options.format;
     result["renderer"] = reinterpret_cast<const char*>(library.gl.GetString(GL_RENDERER));
     return result;
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -24,6 +25,7 @@ struct CommandLine {
     std::string junit_path;
     std::string contact_path;
     bool list = false;
+    bool print_values = false;
 };
 
 fs::path own_folder() {
@@ -49,6 +51,7 @@ void define_options(CLI::App& app, CommandLine& line) {
     options.theirs = TERRAZZO_REFERENCE_LIBRARY;
     options.jobs = std::max(1U, std::thread::hardware_concurrency());
     app.add_flag("--list", line.list, "List the scenes and stop");
+    app.add_flag("--values", line.print_values, "Print the values that the scenes note");
     app.add_option("--filter", line.filters, "Only scenes with this in their name, or of this chapter");
     app.add_option("--ours", options.ours, "Library under test; softpipe to judge Mesa against itself")
         ->capture_default_str();
@@ -75,6 +78,15 @@ void print_result(const SceneReport& report) {
         c.largest_depth_difference, c.stencil_differing, report.softpipe_comparison.differing);
     for (const std::string& problem : report.problems) fmt::print("       {}\n", problem);
     std::fflush(stdout);
+}
+
+void print_values(const SceneReport& report) {
+    for (const NotedValue& ours : report.ours.values) {
+        double expected = std::nan("");
+        for (const NotedValue& theirs : report.theirs.values)
+            if (theirs.name == ours.name) expected = theirs.value;
+        fmt::print("       {:<48} ours {:>14.8g} theirs {:>14.8g}\n", ours.name, ours.value, expected);
+    }
 }
 
 void write_reports(const CommandLine& line, const std::vector<SceneReport>& reports) {
@@ -107,7 +119,11 @@ int run(CommandLine& line) {
     if (chosen.empty()) throw std::runtime_error("no scene fits the filter");
     if (line.options.ours == "softpipe") line.options.ours_is_softpipe = true;
     if (line.options.isas.empty()) line.options.isas.emplace_back();
-    const std::vector<SceneReport> reports = piglit::run(line.options, chosen, print_result);
+    const std::vector<SceneReport> reports =
+        piglit::run(line.options, chosen, [&](const SceneReport& report) {
+            print_result(report);
+            if (line.print_values) print_values(report);
+        });
     write_reports(line, reports);
     std::size_t passed = 0;
     for (const SceneReport& report : reports) passed += report.passed();

@@ -72,13 +72,15 @@ bool is_background(const OIIO::ImageBuf::ConstIterator<float>& pixel, const std:
 OIIO::ImageBuf colour_picture(const Scene& scene, const Drawing& drawing) {
     const kit::ContextOptions& context = scene.context;
     std::vector<std::uint8_t> bytes = tight_rows(scene, drawing.colour);
-    const bool three = context.format == OSMESA_RGB || context.format == OSMESA_RGB_565;
+    const bool three = drawing.format == OSMESA_RGB || drawing.format == OSMESA_RGB_565;
     if (context.type == GL_UNSIGNED_SHORT_5_6_5) bytes = expanded_565(bytes);
     const TypeDesc type =
         context.type == GL_UNSIGNED_SHORT_5_6_5 ? TypeDesc::UINT8 : channel_type(context.type);
     OIIO::ImageBuf picture = report::picture_of(bytes, context.width, context.height, three ? 3 : 4, type);
     if (!context.y_up) picture = OIIO::ImageBufAlgo::flip(picture);
-    return reordered(picture, context.format);
+    // A reference drawn in RGBA for a scene in RGB has an alpha that the scene does not compare.
+    if (scene.reference_in_rgba && !three) return OIIO::ImageBufAlgo::channels(picture, 3, {});
+    return reordered(picture, drawing.format);
 }
 
 OIIO::ImageBuf depth_picture(const Scene& scene, const Drawing& drawing) {

@@ -16,7 +16,9 @@ Drawing draw(const Options& options, const Scene& scene, const std::string& libr
     kit::ChildRequest request;
     request.executable = options.draw_program;
     request.task = "draw";
-    request.arguments = {{"scene", scene.name}, {"library", library}};
+    request.arguments = {{"scene", scene.name},
+                         {"library", library},
+                         {"in_rgba", scene.reference_in_rgba && library == options.theirs}};
     request.environment = std::move(environment);
     return drawing_of(kit::run_in_child(request));
 }

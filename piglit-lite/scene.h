@@ -57,6 +57,7 @@ struct Scene {
     Tolerance tolerance{};
     kit::ContextOptions context{};
     bool draws_nothing_visible = false;  // its theme is values; a plain picture is expected
+    bool reference_in_rgba = false;      // the reference draws RGBA bytes whatever the scene's format says
 };
 
 // Registers before main; scenes() lists by file, then in the order of registration.
