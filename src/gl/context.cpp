@@ -13,8 +13,4 @@ std::unique_ptr<Context> create_context(const Config& config, Context* share_par
     return ctx;
 }
 
-void begin_change(Context& ctx, Dirty what) {
-    ctx.dirty |= static_cast<unsigned>(what);
-}
-
 }  // namespace terrazzo::gl

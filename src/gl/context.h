@@ -13,6 +13,7 @@
 
 #include "gl/arrays.h"
 #include "gl/attrib.h"
+#include "gl/draw.h"
 #include "gl/config.h"
 #include "gl/current.h"
 #include "gl/error.h"
@@ -67,6 +68,7 @@ struct Context {
     HintState hints;
     ListState lists;
     AttribState attrib;
+    Drawing drawing;
 
     unsigned dirty = static_cast<unsigned>(Dirty::kAll);
 };

@@ -245,7 +245,7 @@ void get_materialfv(Context& ctx, GLenum face, GLenum pname, GLfloat* params) {
 
 void latch_color_material(Context& ctx) {
     const ColorMaterial& tracking = ctx.lighting.color_material;
-    const Color4& color = ctx.vertex.current.color;
+    const Color4& color = ctx.vertex.current.color();
     latch(tracking, GL_FRONT, ctx.lighting.front, color);
     latch(tracking, GL_BACK, ctx.lighting.back, color);
 }

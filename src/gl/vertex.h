@@ -1,21 +1,72 @@
 // Begin/End and the current vertex attributes (GL 1.5 §2.6, §2.7).
 //
-// Commands store into VertexState; complete primitives are batched and handed to the pipeline.
+// Vertices are collected in a batch that outlives End: runs of primitives that were specified under the same state go to
+// the pipeline together, when something is about to change (`begin_change`) or must be seen. A batch holds a stream for
+// each attribute that changed since its first vertex; all others are constant.
 #pragma once
 
 #include <GL/gl.h>
 
 #include <array>
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/vertex_input.h"
 
 namespace terrazzo::gl {
 
+struct Context;
+
 // The values a vertex takes that gives none of its own (GL 1.5 §2.7); saved by glPushAttrib(GL_CURRENT_BIT).
 struct CurrentAttributes {
-    std::array<GLfloat, 4> color{1, 1, 1, 1};
+    CurrentAttributes() {
+        values.fill({0, 0, 0, 1});
+        values[pipeline::kNormal] = {0, 0, 1, 1};
+        values[pipeline::kColor] = {1, 1, 1, 1};
+        values[pipeline::kEdgeFlag] = {1, 0, 0, 1};
+    }
+    const std::array<GLfloat, 4>& color() const { return values[pipeline::kColor]; }
+
+    // The material entries are meaningful only while a batch streams them.
+    std::array<std::array<GLfloat, 4>, pipeline::kAttributeCount> values;
+    GLfloat index = 1;
+};
+
+struct PrimitiveRun {
+    GLenum mode;
+    std::uint32_t first, count;
+};
+
+struct VertexBatch {
+    // Vertex i begins at data[i * stride]: the position, then `streams[0]`, `streams[1]`, ..., four floats each.
+    std::vector<float> data;
+    float* next = nullptr;  // where the next vertex goes
+    float* end = nullptr;
+    std::uint32_t count = 0;
+    std::uint32_t stride = 4;
+    pipeline::AttributeMask mask = 0;  // attributes in `streams`
+    std::uint32_t stream_count = 0;
+    std::array<std::uint8_t, pipeline::kAttributeCount> streams{};
+    bool w_is_one = true;  // of every position
+    std::vector<PrimitiveRun> runs;
 };
 
 struct VertexState {
     CurrentAttributes current;
+    VertexBatch batch;
+    GLenum mode = GL_POINTS;         // of the open Begin
+    std::uint32_t open_first = 0;    // where its run starts
+    bool open = false;               // between Begin and End
+    std::vector<float> loop_start;   // first vertex of a line loop whose run had to be broken
 };
+
+// Hands the collected vertices to the pipeline; not between Begin and End. Throws std::bad_alloc.
+void flush_vertices(Context& ctx);
+
+// Makes room for one more vertex.
+void grow_batch(Context& ctx);
+
+// Gives the batch a stream for an attribute that was constant so far.
+void stream_attribute(Context& ctx, int attribute);
 
 }  // namespace terrazzo::gl

@@ -45,7 +45,7 @@ struct PlaneBasis {
 
 struct PlaneArrays {
     // a0, d/dx and d/dy of each plane, a lane a triangle.
-    alignas(64) float values[3][ShadedVertices::kMaxColumns][16];
+    alignas(64) float values[3][raster::kMaxPlanes][16];
 };
 
 TERRAZZO_INLINE void store_plane(const PlaneBasis& basis, const Corners& a, int plane, PlaneArrays& out) {

@@ -29,7 +29,6 @@ class ShadedVertices {
   public:
     // 12288 indices of one chunk of triangles at most, and room for what clipping makes.
     static constexpr int kCapacity = 12288 + 1024;
-    static constexpr int kMaxColumns = 64;
 
     // Makes room for `columns` columns; throws std::bad_alloc.
     void reserve(int columns);

@@ -12,24 +12,12 @@
 #include <cstdlib>
 #include <memory>
 
+#include "raster/state.h"
+
 namespace terrazzo::pipeline {
 
-enum class TexelStorage : uint8_t {
-    kRgba8,    // 4 bytes R, G, B, A in this order in memory: every internal format of at most 8 bits a
-               // component
-    kRgba32F,  // 4 floats R, G, B, A: deeper formats
-};
-
-// The channels that the texture environment may use (GL 1.5 table 3.15).
-enum class BaseFormat : uint8_t {
-    kAlpha,
-    kLuminance,
-    kLuminanceAlpha,
-    kIntensity,
-    kRgb,
-    kRgba,
-    kDepth,  // no command makes one yet
-};
+using raster::BaseFormat;
+using raster::TexelStorage;
 
 constexpr size_t bytes_per_texel(TexelStorage storage) {
     return storage == TexelStorage::kRgba8 ? 4 : 16;

@@ -47,14 +47,14 @@ enum class FogMode : uint8_t { kNone, kLinear, kExp, kExp2 };
 enum class EnvMode : uint8_t { kModulate, kReplace, kDecal, kBlend, kAdd };
 
 // Which channels a texture's base internal format has (GL 1.5 table 3.15).
-enum class BaseFormat : uint8_t { kAlpha, kLuminance, kLuminanceAlpha, kIntensity, kRgb, kRgba };
+enum class BaseFormat : uint8_t { kAlpha, kLuminance, kLuminanceAlpha, kIntensity, kRgb, kRgba, kDepth };
 
 enum class Wrap : uint8_t { kRepeat, kClamp, kClampToEdge, kClampToBorder, kMirroredRepeat };
 enum class Filter : uint8_t { kNearest, kLinear };
 enum class MipFilter : uint8_t { kNone, kNearest, kLinear };
 
-// How texels lie in memory: four bytes R, G, B, A, or four floats.
-enum class TexelFormat : uint8_t { kRgba8, kRgba32F };
+// How texels lie in memory: four bytes R, G, B, A for every internal format of at most 8 bits a component, or four floats.
+enum class TexelStorage : uint8_t { kRgba8, kRgba32F };
 
 // How colour lies in a tile: see Target.
 enum class ColorFormat : uint8_t { kRgba8, kRgb565, kRgba16, kRgba32F };
@@ -67,7 +67,7 @@ struct MipLevel {
 };
 
 struct Sampler {
-    TexelFormat texel_format = TexelFormat::kRgba8;
+    TexelStorage storage = TexelStorage::kRgba8;
     uint8_t dimensions = 2;  // 1 or 2
     Wrap wrap_s = Wrap::kRepeat;
     Wrap wrap_t = Wrap::kRepeat;
@@ -81,6 +81,7 @@ struct Sampler {
 };
 
 struct TextureStage {
+    uint8_t unit = 0;  // whose texture coordinates it samples at
     Sampler sampler;
     EnvMode mode = EnvMode::kModulate;
     BaseFormat base_format = BaseFormat::kRgba;
@@ -140,6 +141,9 @@ struct Varyings {
 
     constexpr Varyings() { texture.fill(-1); }
 };
+
+// z, 1/w, and all varyings there can be.
+inline constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kMaxTextureUnits;
 
 struct FragmentState;
 struct Primitive;

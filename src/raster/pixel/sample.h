@@ -168,7 +168,7 @@ TERRAZZO_INLINE FloatAxis float_axis(Wrap wrap, Filter filter, F32x16 coordinate
 TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 x, I32x16 y, Mask16 inside) {
     const I32x16 index = y * I32x16(level.pitch) + x;
     Color c;
-    if (sampler.texel_format == TexelFormat::kRgba8) {
+    if (sampler.storage == TexelStorage::kRgba8) {
         const Color8 texel = unpack_rgba8(gather(static_cast<const int32_t*>(level.texels), index));
         c = {from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
     } else {
@@ -200,7 +200,7 @@ inline Color sample_float(const Sampler& sampler, const MipLevel& level, Filter 
 
 TERRAZZO_INLINE bool samples_fixed(const Sampler& sampler) {
     const auto plain = [](Wrap wrap) { return wrap == Wrap::kRepeat || wrap == Wrap::kClampToEdge; };
-    return sampler.texel_format == TexelFormat::kRgba8 && plain(sampler.wrap_s) &&
+    return sampler.storage == TexelStorage::kRgba8 && plain(sampler.wrap_s) &&
            (sampler.dimensions == 1 || plain(sampler.wrap_t));
 }
 

@@ -44,7 +44,7 @@ TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const I
 // One 2D unit, REPEAT, LINEAR without mip levels, MODULATE, 8-bit texels: the hot case of textured scenes.
 TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interpolator& at, F32x16 w, const Color& f) {
     const TextureStage& stage = state.textures[0];
-    const int first = state.varyings.texture[0];
+    const int first = state.varyings.texture[stage.unit];
     const Color8 texel = to_color8(sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, stage.sampler.levels[0],
                                                    Filter::kLinear, at.varying(first) * w, at.varying(first + 1) * w));
     const Color t{from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
@@ -52,10 +52,10 @@ TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interp
 }
 
 inline Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w, Color color, uint32_t mask) {
-    for (int unit = 0; unit < state.texture_count; ++unit) {
-        const TextureStage& stage = state.textures[unit];
-        const int first = state.varyings.texture[static_cast<size_t>(unit)];
-        const F32x16 scale = state.varyings.projective >> unit & 1 ? F32x16(1.0f) / at.varying(first + 3) : w;
+    for (int i = 0; i < state.texture_count; ++i) {
+        const TextureStage& stage = state.textures[i];
+        const int first = state.varyings.texture[stage.unit];
+        const F32x16 scale = state.varyings.projective >> stage.unit & 1 ? F32x16(1.0f) / at.varying(first + 3) : w;
         const Color texel = sample_texture(stage.sampler, at.varying(first) * scale, at.varying(first + 1) * scale, mask);
         color = combine(stage, color, texel);
     }

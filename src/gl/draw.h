@@ -1,0 +1,39 @@
+// From GL commands to the pipeline: draws, clears, and making queued work visible.
+#pragma once
+
+#include <GL/gl.h>
+
+#include <array>
+#include <memory>
+
+#include "pipeline/renderer.h"
+
+namespace terrazzo::gl {
+
+struct Context;
+
+// What a context needs to draw; derived state is remade by validate() when ctx.dirty says so.
+struct Drawing {
+    pipeline::DrawState state;
+    // What the derived state was made for besides the GL state.
+    pipeline::AttributeMask streamed = 0;
+    bool w_is_one = false;
+    bool filled_polygons = false;
+    std::array<float, 4> constant_color{};
+};
+
+// Queues primitives of vertices that were specified under the present state. `w_is_one`: so is every position's w.
+// Throws std::bad_alloc.
+void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input, const pipeline::VertexRange& range,
+                     bool w_is_one);
+
+// Brings ctx.drawing.state up to date for a draw of these attributes.
+void validate(Context& ctx, const pipeline::VertexInput& input, GLenum mode, bool w_is_one);
+
+// The pixels that draws and clears may touch, in the target's rows.
+void scissor_box(const Context& ctx, pipeline::RasterState& out);
+
+// Hands over collected vertices and draws everything queued; the render target then holds the picture.
+void finish_drawing(Context& ctx);
+
+}  // namespace terrazzo::gl

@@ -1,0 +1,420 @@
+// From GL state to the pipeline's: the one place where GL's terms become DrawState. Each part is remade only when the
+// state it is made from has changed.
+#include <algorithm>
+#include <cmath>
+
+#include "gl/context.h"
+#include "gl/draw.h"
+#include "gl/share.h"
+#include "gl/translate.h"
+
+namespace terrazzo::gl {
+namespace {
+
+using pipeline::bit;
+
+bool is_dirty(const Context& ctx, Dirty what) { return (ctx.dirty & static_cast<unsigned>(what)) != 0; }
+
+float unit(GLfloat value) { return std::clamp(value, 0.0f, 1.0f); }
+
+// doc/reference.md §1: y counts downwards in a window, as the target's rows do.
+void make_viewport(const Context& ctx, pipeline::VertexState& out) {
+    const ViewportState& v = ctx.framebuffer.viewport;
+    const float half_width = 0.5f * static_cast<float>(v.width), half_height = 0.5f * static_cast<float>(v.height);
+    const float target_height = static_cast<float>(ctx.surface.height);
+    out.viewport_scale[0] = half_width;
+    out.viewport_translate[0] = half_width + static_cast<float>(v.x);
+    out.viewport_scale[1] = -half_height;
+    out.viewport_translate[1] = target_height - (half_height + static_cast<float>(v.y));
+    out.viewport_scale[2] = static_cast<float>(0.5 * (v.far_depth - v.near_depth));
+    out.viewport_translate[2] = static_cast<float>(0.5 * (v.near_depth + v.far_depth));
+}
+
+void make_transform(Context& ctx, pipeline::VertexState& out) {
+    StackMatrix& modelview = ctx.matrix.modelview.top();
+    StackMatrix& projection = ctx.matrix.projection.top();
+    settle(modelview);
+    settle(projection);
+    const Matrix4 mvp = model_view_projection(projection, modelview);
+    std::copy_n(mvp.m, 16, out.mvp);
+    std::copy_n(modelview.value.m, 16, out.modelview);
+    out.affine = mvp.m[3] == 0 && mvp.m[7] == 0 && mvp.m[11] == 0 && mvp.m[15] == 1;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) out.normal_matrix[row + 3 * column] = modelview.inverse.at(column, row);
+
+    const Matrix4& inverse = modelview.inverse;
+    const float length2 = inverse.at(2, 0) * inverse.at(2, 0) + inverse.at(2, 1) * inverse.at(2, 1) +
+                          inverse.at(2, 2) * inverse.at(2, 2);
+    out.rescale_factor = length2 < 1e-12f ? 1.0f : 1.0f / std::sqrt(length2);
+    const TransformState& transform = ctx.matrix.transform;
+    out.normal_scaling = transform.normalize        ? pipeline::NormalScaling::kNormalize
+                         : transform.rescale_normal ? pipeline::NormalScaling::kRescale
+                                                    : pipeline::NormalScaling::kNone;
+    out.clip_plane_mask = 0;
+    for (int p = 0; p < kMaxClipPlanes; ++p) {
+        const ClipPlane& plane = transform.clip_planes[static_cast<std::size_t>(p)];
+        if (!plane.enabled) continue;
+        out.clip_plane_mask |= 1u << p;
+        transform_row(out.clip_planes[p], plane.eye_plane.data(), projection.inverse);
+    }
+    make_viewport(ctx, out);
+}
+
+pipeline::Light make_light(const Light& light) {
+    pipeline::Light out;
+    std::copy_n(light.eye_position.data(), 4, out.position);
+    const auto normalize = [](float* v) {
+        const float length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        if (length2 == 0) return;
+        const float scale = 1.0f / std::sqrt(length2);
+        for (int i = 0; i < 3; ++i) v[i] *= scale;
+    };
+    if (out.position[3] == 0) {
+        normalize(out.position);
+    } else {
+        const float inverse = 1.0f / out.position[3];
+        for (int i = 0; i < 3; ++i) out.position[i] *= inverse;
+    }
+    std::copy_n(light.eye_spot_direction.data(), 3, out.direction);
+    normalize(out.direction);
+    std::copy_n(light.ambient.data(), 4, out.ambient);
+    std::copy_n(light.diffuse.data(), 4, out.diffuse);
+    std::copy_n(light.specular.data(), 4, out.specular);
+    out.attenuation[0] = light.constant_attenuation;
+    out.attenuation[1] = light.linear_attenuation;
+    out.attenuation[2] = light.quadratic_attenuation;
+    out.spot_exponent = light.spot_exponent;
+    out.spot_cos_cutoff = light.spot_cutoff == 180 ? -1.0f : std::max(0.0f, static_cast<float>(std::cos(light.spot_cutoff * M_PI / 180.0)));
+    return out;
+}
+
+pipeline::Material make_material(const Material& material) {
+    pipeline::Material out;
+    std::copy_n(material.ambient.data(), 4, out.ambient);
+    std::copy_n(material.diffuse.data(), 4, out.diffuse);
+    std::copy_n(material.specular.data(), 4, out.specular);
+    std::copy_n(material.emission.data(), 4, out.emission);
+    out.shininess = material.shininess;
+    return out;
+}
+
+void make_lighting(const Context& ctx, pipeline::Lighting& out) {
+    const LightingState& state = ctx.lighting;
+    out.enabled = state.enabled;
+    if (!state.enabled) return;
+    out.two_sided = state.model.two_side;
+    out.local_viewer = state.model.local_viewer;
+    out.separate_specular = state.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    std::copy_n(state.model.ambient.data(), 4, out.model_ambient);
+    out.light_count = 0;
+    for (const Light& light : state.lights)
+        if (light.enabled) out.lights[static_cast<std::size_t>(out.light_count++)] = make_light(light);
+    out.materials[0] = make_material(state.front);
+    out.materials[1] = make_material(state.back);
+    const ColorMaterial& tracking = state.color_material;
+    for (int face = 0; face < 2; ++face) {
+        const bool tracks = tracking.enabled && tracking.face != static_cast<GLenum>(face == 0 ? GL_BACK : GL_FRONT);
+        const bool both = tracking.mode == GL_AMBIENT_AND_DIFFUSE;
+        out.color_material[face] = {tracks && (both || tracking.mode == GL_AMBIENT), tracks && (both || tracking.mode == GL_DIFFUSE),
+                                    tracks && tracking.mode == GL_SPECULAR, tracks && tracking.mode == GL_EMISSION};
+    }
+}
+
+void make_raster(const Context& ctx, pipeline::RasterState& out) {
+    scissor_box(ctx, out);
+    const PolygonState& polygon = ctx.rasterization.polygon;
+    out.flat = ctx.lighting.shade_model == GL_FLAT;
+    out.cull_front = polygon.cull_enabled && polygon.cull_face != GL_BACK;
+    out.cull_back = polygon.cull_enabled && polygon.cull_face != GL_FRONT;
+    out.front_is_clockwise = polygon.front_face == GL_CW;
+    out.fill[0] = translate_fill_mode(polygon.front_mode);
+    out.fill[1] = translate_fill_mode(polygon.back_mode);
+    out.offset_fill = polygon.offset_fill;
+    out.offset_line = polygon.offset_line;
+    out.offset_point = polygon.offset_point;
+    out.offset_factor = polygon.offset_factor;
+    // Twice the smallest step of the depth format, as the reference has it (GL 1.5 §3.5.5 leaves r to us).
+    const float range = ctx.surface.format.depth_bits == 16 ? 65535.0f : 16777215.0f;
+    out.offset_units = polygon.offset_units * (1.0f / range) * 2.0f;
+    out.line_width = ctx.rasterization.line.width;
+    out.line_smooth = ctx.rasterization.line.smooth;
+    out.line_stipple = ctx.rasterization.line.stipple_enabled;
+    out.line_stipple_factor = ctx.rasterization.line.stipple_factor;
+    out.line_stipple_pattern = ctx.rasterization.line.stipple_pattern;
+    out.point_size = ctx.rasterization.point.size;
+    out.point_smooth = ctx.rasterization.point.smooth;
+}
+
+// The texture a unit samples, null where texturing is off or the texture incomplete.
+const TextureObject* sampled_texture(const TextureUnit& unit, TextureCompleteness& levels) {
+    const int target = unit.enabled_2d ? kTexture2D : unit.enabled_1d ? kTexture1D : -1;
+    if (target < 0) return nullptr;
+    const TextureObject* const object = unit.bound[static_cast<std::size_t>(target)].get();
+    if (object == nullptr) return nullptr;
+    levels = completeness(*object);
+    return levels.complete ? object : nullptr;
+}
+
+void set_filters(const TextureParameters& p, raster::Sampler& out) {
+    using raster::Filter, raster::MipFilter;
+    const bool linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST || p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
+    out.min_filter = linear ? Filter::kLinear : Filter::kNearest;
+    out.mag_filter = p.mag_filter == GL_LINEAR ? Filter::kLinear : Filter::kNearest;
+    out.mip_filter = p.min_filter == GL_NEAREST || p.min_filter == GL_LINEAR ? MipFilter::kNone
+                     : p.min_filter == GL_NEAREST_MIPMAP_NEAREST || p.min_filter == GL_LINEAR_MIPMAP_NEAREST
+                         ? MipFilter::kNearest
+                         : MipFilter::kLinear;
+}
+
+raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, const TextureObject& object,
+                                const TextureCompleteness& levels, std::vector<std::shared_ptr<const void>>& images) {
+    raster::TextureStage stage;
+    stage.unit = static_cast<std::uint8_t>(unit_number);
+    stage.mode = translate_env_mode(unit_state.env.mode);
+    std::transform(unit_state.env.color.begin(), unit_state.env.color.end(), stage.env_color, unit);
+    const TextureParameters& p = object.parameters;
+    raster::Sampler& sampler = stage.sampler;
+    set_filters(p, sampler);
+    sampler.dimensions = object.target == GL_TEXTURE_1D ? 1 : 2;
+    sampler.wrap_s = translate_wrap(p.wrap_s);
+    sampler.wrap_t = translate_wrap(p.wrap_t);
+    // Clamped coordinates pick border texels only where neighbours are mixed.
+    const bool nearest = sampler.min_filter == raster::Filter::kNearest && sampler.mag_filter == raster::Filter::kNearest;
+    for (raster::Wrap* const wrap : {&sampler.wrap_s, &sampler.wrap_t})
+        if (nearest && *wrap == raster::Wrap::kClamp) *wrap = raster::Wrap::kClampToEdge;
+    sampler.min_lod = p.min_lod;
+    sampler.max_lod = p.max_lod;
+    std::copy(p.border_color.begin(), p.border_color.end(), sampler.border_color);
+    sampler.level_count = static_cast<std::uint8_t>(levels.last - levels.base + 1);
+    for (int level = levels.base; level <= levels.last; ++level) {
+        const auto& image = object.levels[static_cast<std::size_t>(level)].image;
+        const void* const texels = image->storage == pipeline::TexelStorage::kRgba8 ? static_cast<const void*>(image->rgba8(0, 0))
+                                                                                   : image->rgba32f(0, 0);
+        sampler.levels[static_cast<std::size_t>(level - levels.base)] = {texels, image->width, image->height, image->pitch};
+        images.push_back(image);
+    }
+    const pipeline::TextureImage& base = *object.levels[static_cast<std::size_t>(levels.base)].image;
+    sampler.storage = base.storage;
+    stage.base_format = base.base_format;
+    return stage;
+}
+
+bool is_identity(const Matrix4& m) {
+    const Matrix4 i = identity();
+    return std::equal(m.m, m.m + 16, i.m);
+}
+
+// Texture coordinates of a unit that samples something. Says whether q may be other than 1.
+bool make_texture_coordinates(Context& ctx, int number, const pipeline::VertexInput& input, pipeline::TextureCoordinates& out) {
+    const TextureUnit& state = ctx.texture.units[static_cast<std::size_t>(number)];
+    const StackMatrix& matrix = ctx.matrix.texture[static_cast<std::size_t>(number)].top();
+    out.used = true;
+    out.has_matrix = !is_identity(matrix.value);
+    std::copy_n(matrix.value.m, 16, out.matrix);
+    for (std::size_t c = 0; c < 4; ++c) {
+        const TexgenCoordinate& texgen = state.texgen.coordinates[c];
+        out.texgen[c] = texgen.enabled ? translate_texgen_mode(texgen.mode) : pipeline::TexgenMode::kOff;
+        const auto& plane = texgen.mode == GL_OBJECT_LINEAR ? texgen.object_plane : texgen.eye_plane;
+        std::copy_n(plane.data(), 4, out.planes[c]);
+    }
+    const auto attribute = static_cast<std::size_t>(pipeline::kTexture0 + number);
+    const bool streams_q = input.streamed & bit(static_cast<int>(attribute)) ? input.streams[attribute].components > 3
+                                                                             : input.constants[attribute][3] != 1;
+    const float* const m = matrix.value.m;
+    const bool projects = m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1;
+    return streams_q || projects || out.texgen[3] != pipeline::TexgenMode::kOff;
+}
+
+raster::BlendKind blend_kind(const BlendState& b, bool eight_bits) {
+    const bool adds = b.equation_rgb == GL_FUNC_ADD && b.equation_alpha == GL_FUNC_ADD;
+    const auto factors = [&](GLenum source, GLenum destination) {
+        return b.source_rgb == source && b.source_alpha == source && b.destination_rgb == destination && b.destination_alpha == destination;
+    };
+    if (adds && factors(GL_ONE, GL_ZERO)) return raster::BlendKind::kNone;
+    if (adds && eight_bits && factors(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)) return raster::BlendKind::kAlpha;
+    if (adds && eight_bits && factors(GL_ONE, GL_ONE)) return raster::BlendKind::kAdditive;
+    return raster::BlendKind::kGeneral;
+}
+
+void make_tests(const Context& ctx, raster::FragmentState& out) {
+    const FragmentOpsState& ops = ctx.fragment_ops;
+    const raster::TargetFormat& target = ctx.surface.format;
+    raster::FragmentKey& key = out.key;
+    key.depth_test = ops.depth.test_enabled && target.depth_bits != 0;
+    key.depth_write = key.depth_test && ops.depth.write_mask;
+    key.depth_func = translate_compare(ops.depth.func);
+    out.depth_bits = static_cast<std::uint8_t>(target.depth_bits);
+    key.stencil_test = ops.stencil.enabled && target.stencil_bits != 0;
+    const StencilState& s = ops.stencil;
+    out.stencil[0] = {translate_compare(s.func),
+                      static_cast<std::uint8_t>(std::clamp(s.reference, 0, 255)),
+                      static_cast<std::uint8_t>(s.value_mask),
+                      static_cast<std::uint8_t>(s.write_mask),
+                      translate_stencil_op(s.fail),
+                      translate_stencil_op(s.depth_fail),
+                      translate_stencil_op(s.depth_pass)};
+    out.stencil[1] = out.stencil[0];
+    const AlphaTestState& alpha = ops.color.alpha_test;
+    key.alpha_func = alpha.enabled ? translate_compare(alpha.func) : raster::Compare::kAlways;
+    out.alpha_reference = unit(alpha.reference);
+}
+
+void make_blending(const Context& ctx, raster::FragmentState& out) {
+    const ColorBufferState& color = ctx.fragment_ops.color;
+    const raster::TargetFormat& target = ctx.surface.format;
+    raster::FragmentKey& key = out.key;
+    key.color_format = target.color;
+    out.has_destination_alpha = target.has_alpha;
+    key.color_mask = 0;
+    for (std::size_t c = 0; c < 4; ++c) key.color_mask |= static_cast<std::uint8_t>(color.write_mask[c] << c);
+    if (ctx.framebuffer.draw_buffer == GL_NONE) key.color_mask = 0;
+    const bool integers = target.color != raster::ColorFormat::kRgba32F;
+    key.logic_op = color.logic_op.color_enabled && integers && color.logic_op.op != GL_COPY;
+    out.logic_op = translate_logic_op(color.logic_op.op);
+    const BlendState& b = color.blend;
+    // A logic op takes the place of blending (GL 1.5 §4.1.9).
+    key.blend = b.enabled && !color.logic_op.color_enabled ? blend_kind(b, target.color == raster::ColorFormat::kRgba8)
+                                                           : raster::BlendKind::kNone;
+    out.blend_source_rgb = translate_blend_factor(b.source_rgb);
+    out.blend_source_alpha = translate_blend_factor(b.source_alpha);
+    out.blend_destination_rgb = translate_blend_factor(b.destination_rgb);
+    out.blend_destination_alpha = translate_blend_factor(b.destination_alpha);
+    out.blend_equation_rgb = translate_blend_equation(b.equation_rgb);
+    out.blend_equation_alpha = translate_blend_equation(b.equation_alpha);
+    std::copy_n(b.color.data(), 4, out.blend_color);
+}
+
+void make_fog(const Context& ctx, raster::FragmentState& out) {
+    const FogState& fog = ctx.fog;
+    out.key.fog = !fog.enabled             ? raster::FogMode::kNone
+                  : fog.mode == GL_LINEAR  ? raster::FogMode::kLinear
+                  : fog.mode == GL_EXP     ? raster::FogMode::kExp
+                                           : raster::FogMode::kExp2;
+    std::transform(fog.color.begin(), fog.color.end(), out.fog_color, unit);
+    out.fog_density = fog.density;
+    out.fog_start = fog.start;
+    out.fog_end = fog.end;
+}
+
+raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_units, unsigned projective_units) {
+    raster::Varyings v;
+    int next = 0;
+    const auto take = [&](int planes) {
+        const int first = next;
+        next += planes;
+        return static_cast<std::int8_t>(first);
+    };
+    if (key.interpolated_color) v.color = take(4);
+    if (key.separate_specular) v.secondary = take(3);
+    if (key.fog != raster::FogMode::kNone) v.fog = take(1);
+    for (std::size_t u = 0; u < kMaxTextureUnits; ++u)
+        if (used_units >> u & 1) v.texture[u] = take(projective_units >> u & 1 ? 4 : 2);
+    v.projective = static_cast<std::uint8_t>(projective_units);
+    v.count = static_cast<std::uint8_t>(next);
+    return v;
+}
+
+// The one-unit case that has kernels of its own.
+bool is_plain_bilinear(const raster::FragmentState& state, const std::vector<raster::TextureStage>& stages, unsigned projective) {
+    if (stages.size() != 1 || projective != 0 || !state.key.perspective) return false;
+    const raster::TextureStage& stage = stages[0];
+    const raster::Sampler& s = stage.sampler;
+    const bool linear = s.mip_filter == raster::MipFilter::kNone && s.min_filter == raster::Filter::kLinear && s.mag_filter == raster::Filter::kLinear;
+    return linear && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 && s.storage == raster::TexelStorage::kRgba8 &&
+           s.wrap_s == raster::Wrap::kRepeat && s.wrap_t == raster::Wrap::kRepeat &&
+           (stage.base_format == raster::BaseFormat::kRgb || stage.base_format == raster::BaseFormat::kRgba);
+}
+
+void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
+    pipeline::DrawState& draw = ctx.drawing.state;
+    auto block = std::make_shared<pipeline::FragmentBlock>();
+    raster::FragmentState& state = block->state;
+    make_tests(ctx, state);
+    make_blending(ctx, state);
+    make_fog(ctx, state);
+    raster::FragmentKey& key = state.key;
+    const PolygonState& polygon = ctx.rasterization.polygon;
+    key.depth_offset = key.depth_test && (polygon.offset_fill || polygon.offset_line || polygon.offset_point) &&
+                       (polygon.offset_factor != 0 || polygon.offset_units != 0);
+    key.polygon_stipple = polygon.stipple_enabled && ctx.drawing.filled_polygons;
+    if (key.polygon_stipple) {
+        block->polygon_stipple.assign(ctx.rasterization.polygon_stipple.rows.begin(), ctx.rasterization.polygon_stipple.rows.end());
+        state.target_height_for_stipple = ctx.surface.height;
+    }
+    key.perspective = !(draw.vertex.affine && w_is_one);
+    key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
+    key.separate_specular = ctx.lighting.enabled && draw.vertex.lighting.separate_specular;
+    const auto& color = input.constants[pipeline::kColor];
+    std::transform(color.begin(), color.end(), state.constant_color, unit);
+
+    unsigned used = 0, projective = 0;
+    {
+        const std::lock_guard lock(ctx.shared->mutex);
+        for (int u = 0; u < kMaxTextureUnits; ++u) {
+            const TextureUnit& unit_state = ctx.texture.units[static_cast<std::size_t>(u)];
+            pipeline::TextureCoordinates& coordinates = draw.vertex.texture[static_cast<std::size_t>(u)];
+            coordinates.used = false;
+            TextureCompleteness levels;
+            const TextureObject* const object = sampled_texture(unit_state, levels);
+            if (object == nullptr) continue;
+            block->stages.push_back(make_stage(u, unit_state, *object, levels, block->images));
+            used |= 1u << u;
+            if (make_texture_coordinates(ctx, u, input, coordinates)) projective |= 1u << u;
+        }
+    }
+    key.texture = block->stages.empty()                                      ? raster::TextureKind::kNone
+                  : is_plain_bilinear(state, block->stages, projective)      ? raster::TextureKind::kModulateBilinearRgba8
+                                                                             : raster::TextureKind::kGeneral;
+    state.varyings = lay_out_varyings(key, used, projective);
+    block->complete();
+    draw.vertex.varyings = state.varyings;
+    draw.fragment = std::move(block);
+}
+
+}  // namespace
+
+void scissor_box(const Context& ctx, pipeline::RasterState& out) {
+    const Surface& target = ctx.surface;
+    const ScissorState& scissor = ctx.fragment_ops.scissor;
+    // 64-bit sums: a scissor box may reach far outside.
+    std::int64_t x0 = 0, y0 = 0, x1 = target.width, y1 = target.height;
+    if (scissor.enabled) {
+        x0 = std::max<std::int64_t>(x0, scissor.x);
+        y0 = std::max<std::int64_t>(y0, scissor.y);
+        x1 = std::min(x1, std::int64_t{scissor.x} + scissor.width);
+        y1 = std::min(y1, std::int64_t{scissor.y} + scissor.height);
+        x1 = std::max(x0, x1);
+        y1 = std::max(y0, y1);
+    }
+    out.row0_is_top = true;
+    out.x0 = static_cast<int>(std::min<std::int64_t>(x0, target.width));
+    out.x1 = static_cast<int>(std::min<std::int64_t>(x1, target.width));
+    out.y0 = static_cast<int>(std::max<std::int64_t>(target.height - y1, 0));
+    out.y1 = static_cast<int>(std::max<std::int64_t>(target.height - y0, 0));
+}
+
+void validate(Context& ctx, const pipeline::VertexInput& input, GLenum mode, bool w_is_one) {
+    Drawing& drawing = ctx.drawing;
+    pipeline::VertexState& vertex = drawing.state.vertex;
+    if (is_dirty(ctx, Dirty::kTransform) || is_dirty(ctx, Dirty::kFramebuffer)) make_transform(ctx, vertex);
+    if (is_dirty(ctx, Dirty::kLighting)) make_lighting(ctx, vertex.lighting);
+    constexpr unsigned kRasterInputs = static_cast<unsigned>(Dirty::kRasterization) | static_cast<unsigned>(Dirty::kFragment) |
+                                       static_cast<unsigned>(Dirty::kLighting) | static_cast<unsigned>(Dirty::kFramebuffer);
+    if (ctx.dirty & kRasterInputs) make_raster(ctx, drawing.state.raster);
+
+    const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill && drawing.state.raster.fill[1] == pipeline::FillMode::kFill;
+    vertex.edge_flags = !all_filled;
+    const bool filled_polygons = mode >= GL_TRIANGLES && all_filled;
+    const auto& color = input.constants[pipeline::kColor];
+    const bool same_vertices = drawing.streamed == input.streamed && drawing.w_is_one == w_is_one && drawing.constant_color == color &&
+                               drawing.filled_polygons == filled_polygons;
+    if (ctx.dirty == 0 && same_vertices && drawing.state.fragment) return;
+    drawing.streamed = input.streamed;
+    drawing.w_is_one = w_is_one;
+    drawing.constant_color = color;
+    drawing.filled_polygons = filled_polygons;
+    make_fragment(ctx, input, w_is_one);
+    ctx.dirty = 0;
+}
+
+}  // namespace terrazzo::gl

@@ -1,0 +1,196 @@
+// Begin, End, Rect and the batch of immediate vertices; see vertex.h.
+#include "gl/vertex.h"
+
+#include <algorithm>
+
+#include "gl/draw.h"
+#include "gl/generated/commands.h"
+#include "gl/vertex_inline.h"
+
+namespace terrazzo::gl {
+namespace {
+
+// A batch this long goes to the pipeline at the next End, or in the middle of a run if none comes. Longer batches
+// leave the processor's second-level cache before they are drawn.
+constexpr std::uint32_t kLongBatch = 4096;
+constexpr std::uint32_t kLongestBatch = 49152;
+// Above this, a constant attribute that changes outside Begin and End starts a new batch instead of a stream.
+constexpr std::uint32_t kWorthKeeping = 256;
+
+void set_layout(VertexBatch& batch) {
+    batch.next = batch.data.data() + static_cast<std::size_t>(batch.count) * batch.stride;
+    batch.end = batch.data.data() + batch.data.size();
+}
+
+void clear_batch(VertexBatch& batch) {
+    batch.count = 0;
+    batch.stride = 4;
+    batch.mask = 0;
+    batch.stream_count = 0;
+    batch.w_is_one = true;
+    batch.runs.clear();
+    set_layout(batch);
+}
+
+// Whether runs of this mode may be joined: their primitives share no vertices.
+std::uint32_t vertices_of_independent(GLenum mode) {
+    switch (mode) {
+        case GL_POINTS:
+            return 1;
+        case GL_LINES:
+            return 2;
+        case GL_TRIANGLES:
+            return 3;
+        case GL_QUADS:
+            return 4;
+    }
+    return 0;
+}
+
+void add_run(VertexBatch& batch, GLenum mode, std::uint32_t first, std::uint32_t count) {
+    if (count == 0) return;
+    const std::uint32_t vertices = vertices_of_independent(mode);
+    if (vertices != 0 && !batch.runs.empty()) {
+        PrimitiveRun& last = batch.runs.back();
+        if (last.mode == mode && last.first + last.count == first && last.count % vertices == 0) {
+            last.count += count;
+            return;
+        }
+    }
+    batch.runs.push_back({mode, first, count});
+}
+
+void draw_runs(Context& ctx) {
+    VertexBatch& batch = ctx.vertex.batch;
+    pipeline::VertexInput input;
+    input.constants = ctx.vertex.current.values;
+    input.streamed = batch.mask | pipeline::bit(pipeline::kPosition);
+    const auto* const bytes = reinterpret_cast<const std::byte*>(batch.data.data());
+    const auto stride = static_cast<std::uint32_t>(batch.stride * sizeof(float));
+    input.streams[pipeline::kPosition] = {bytes, stride, pipeline::ComponentType::kFloat32, 4, false};
+    for (std::uint32_t i = 0; i < batch.stream_count; ++i)
+        input.streams[batch.streams[i]] = {bytes + 4 * sizeof(float) * (i + 1), stride, pipeline::ComponentType::kFloat32, 4, false};
+    for (const PrimitiveRun& run : batch.runs) draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, batch.w_is_one);
+}
+
+// How many of a run's vertices can be drawn now, and which of them the rest of the run needs again.
+struct Break {
+    std::uint32_t drawn;
+    std::uint32_t keep_first;  // 1 where the run's first vertex is needed again
+    std::uint32_t keep_last;   // the last this many vertices are
+};
+Break break_run(GLenum mode, std::uint32_t count) {
+    switch (mode) {
+        case GL_LINE_STRIP:
+        case GL_LINE_LOOP:
+            return {count, 0, 1};
+        case GL_TRIANGLE_STRIP:
+        case GL_QUAD_STRIP:
+            return {count & ~1u, 0, 2 + (count & 1)};  // an even number keeps the orientation
+        case GL_TRIANGLE_FAN:
+        case GL_POLYGON:
+            return {count, 1, 1};
+    }
+    const std::uint32_t rest = count % vertices_of_independent(mode);
+    return {count - rest, 0, rest};
+}
+
+// Draws what the open run has so far and goes on with the vertices that are needed again.
+void break_open_run(Context& ctx) {
+    VertexState& vertex = ctx.vertex;
+    VertexBatch& batch = vertex.batch;
+    const std::uint32_t count = batch.count - vertex.open_first;
+    const Break parts = break_run(vertex.mode, count);
+    const float* const run = batch.data.data() + static_cast<std::size_t>(vertex.open_first) * batch.stride;
+    std::vector<float> kept;
+    const auto keep = [&](std::uint32_t first, std::uint32_t vertices) {
+        kept.insert(kept.end(), run + first * batch.stride, run + (first + vertices) * batch.stride);
+    };
+    keep(0, parts.keep_first);
+    keep(count - parts.keep_last, parts.keep_last);
+    if (vertex.mode == GL_LINE_LOOP) {
+        vertex.loop_start.assign(run, run + batch.stride);
+        vertex.mode = GL_LINE_STRIP;
+    }
+    add_run(batch, vertex.mode, vertex.open_first, parts.drawn);
+    draw_runs(ctx);
+    batch.runs.clear();
+    std::copy(kept.begin(), kept.end(), batch.data.begin());
+    batch.count = static_cast<std::uint32_t>(kept.size() / batch.stride);
+    vertex.open_first = 0;
+    set_layout(batch);
+}
+
+}  // namespace
+
+void flush_vertices(Context& ctx) {
+    VertexBatch& batch = ctx.vertex.batch;
+    if (batch.count == 0 || ctx.vertex.open) return;
+    struct Cleanup {
+        VertexBatch& batch;
+        ~Cleanup() { clear_batch(batch); }
+    } const cleanup{batch};
+    draw_runs(ctx);
+}
+
+void grow_batch(Context& ctx) {
+    VertexBatch& batch = ctx.vertex.batch;
+    if (batch.count >= kLongestBatch) break_open_run(ctx);
+    if (batch.end - batch.next >= static_cast<std::ptrdiff_t>(batch.stride)) return;
+    batch.data.resize(std::max<std::size_t>(batch.data.size() * 2, 4096));
+    set_layout(batch);
+}
+
+void stream_attribute(Context& ctx, int attribute) {
+    VertexBatch& batch = ctx.vertex.batch;
+    if (!ctx.vertex.open && batch.count > kWorthKeeping) return flush_vertices(ctx);
+    const std::uint32_t old_stride = batch.stride, stride = old_stride + 4;
+    const std::size_t needed = static_cast<std::size_t>(batch.count + 1) * stride;
+    if (batch.data.size() < needed) batch.data.resize(std::max(needed, batch.data.size() * 2));
+    const auto& constant = ctx.vertex.current.values[static_cast<std::size_t>(attribute)];
+    for (std::uint32_t i = batch.count; i-- > 0;) {
+        float* const to = batch.data.data() + static_cast<std::size_t>(i) * stride;
+        std::memmove(to, batch.data.data() + static_cast<std::size_t>(i) * old_stride, old_stride * sizeof(float));
+        std::copy(constant.begin(), constant.end(), to + old_stride);
+    }
+    batch.stride = stride;
+    batch.streams[batch.stream_count++] = static_cast<std::uint8_t>(attribute);
+    batch.mask |= pipeline::bit(attribute);
+    set_layout(batch);
+}
+
+void begin(Context& ctx, GLenum mode) {
+    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
+    ctx.vertex.mode = mode;
+    ctx.vertex.open_first = ctx.vertex.batch.count;
+    ctx.vertex.open = true;
+    ctx.vertex.loop_start.clear();
+    set_inside_begin_end(ctx, true);
+}
+
+void end(Context& ctx) {
+    VertexState& vertex = ctx.vertex;
+    set_inside_begin_end(ctx, false);
+    if (!vertex.loop_start.empty()) {
+        // A stream may have been added since the loop was broken: its value there is the last one's.
+        vertex.loop_start.resize(vertex.batch.stride);
+        if (vertex.batch.end - vertex.batch.next < static_cast<std::ptrdiff_t>(vertex.batch.stride)) grow_batch(ctx);
+        std::copy(vertex.loop_start.begin(), vertex.loop_start.end(), vertex.batch.next);
+        vertex.batch.next += vertex.batch.stride;
+        ++vertex.batch.count;
+    }
+    add_run(vertex.batch, vertex.mode, vertex.open_first, vertex.batch.count - vertex.open_first);
+    vertex.open = false;
+    if (vertex.batch.count >= kLongBatch) flush_vertices(ctx);
+}
+
+void rectf(Context& ctx, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+    begin(ctx, GL_POLYGON);
+    vertex4f(ctx, x1, y1, 0, 1);
+    vertex4f(ctx, x2, y1, 0, 1);
+    vertex4f(ctx, x2, y2, 0, 1);
+    vertex4f(ctx, x1, y2, 0, 1);
+    end(ctx);
+}
+
+}  // namespace terrazzo::gl
