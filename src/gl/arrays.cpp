@@ -1,0 +1,311 @@
+// Commands of vertex arrays (GL 1.5 §2.8).
+#include "gl/arrays.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "gl/context.h"
+#include "gl/draw.h"
+#include "gl/generated/commands.h"
+#include "gl/translate.h"
+#include "gl/vertex_inline.h"
+
+namespace terrazzo::gl {
+namespace {
+
+GLsizei size_of_type(GLenum type) {
+    switch (type) {
+        case GL_BYTE:
+        case GL_UNSIGNED_BYTE:
+            return 1;
+        case GL_SHORT:
+        case GL_UNSIGNED_SHORT:
+            return 2;
+        case GL_DOUBLE:
+            return 8;
+    }
+    return 4;
+}
+
+bool is_one_of(GLenum type, std::initializer_list<GLenum> allowed) {
+    return std::find(allowed.begin(), allowed.end(), type) != allowed.end();
+}
+
+// Checks and stores what a glXxxPointer command was given.
+void set_pointer(Context& ctx, ClientArray& array, GLint size, GLint low, GLint high, GLenum type,
+                 std::initializer_list<GLenum> types, GLsizei stride, const GLvoid* pointer) {
+    if (size < low || size > high) return record_error(ctx, GL_INVALID_VALUE, "no array has elements of this size");
+    if (!is_one_of(type, types)) return record_error(ctx, GL_INVALID_ENUM, "no type for this array");
+    if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
+    array = {array.enabled, size, type, stride, pointer};
+}
+
+ClientArray* find_array(ArrayState& arrays, GLenum name) {
+    switch (name) {
+        case GL_VERTEX_ARRAY:
+            return &arrays.vertex;
+        case GL_NORMAL_ARRAY:
+            return &arrays.normal;
+        case GL_COLOR_ARRAY:
+            return &arrays.color;
+        case GL_INDEX_ARRAY:
+            return &arrays.index;
+        case GL_EDGE_FLAG_ARRAY:
+            return &arrays.edge_flag;
+        case GL_TEXTURE_COORD_ARRAY:
+            return &arrays.texture[arrays.active_texture];
+    }
+    return nullptr;
+}
+
+void set_enabled(Context& ctx, GLenum name, bool enabled) {
+    ClientArray* const array = find_array(ctx.arrays, name);
+    if (!array) return record_error(ctx, GL_INVALID_ENUM, "no such array");
+    array->enabled = enabled;
+}
+
+pipeline::AttributeStream stream_of(const ClientArray& array, bool normalized) {
+    const GLsizei packed = array.size * size_of_type(array.type);
+    return {static_cast<const std::byte*>(array.pointer), static_cast<std::uint32_t>(array.stride ? array.stride : packed),
+            translate_type(array.type), static_cast<std::uint8_t>(array.size), normalized};
+}
+
+// The enabled arrays that the pipeline reads, as streams. A null pointer is no array: its elements stay what they were.
+pipeline::VertexInput input_of(const Context& ctx) {
+    pipeline::VertexInput input;
+    input.constants = ctx.vertex.current.values;
+    const auto add = [&](int attribute, const ClientArray& array, bool normalized) {
+        if (!array.enabled || array.pointer == nullptr) return;
+        input.streamed |= pipeline::bit(attribute);
+        input.streams[static_cast<std::size_t>(attribute)] = stream_of(array, normalized);
+    };
+    add(pipeline::kPosition, ctx.arrays.vertex, false);
+    add(pipeline::kNormal, ctx.arrays.normal, true);
+    add(pipeline::kColor, ctx.arrays.color, true);
+    add(pipeline::kEdgeFlag, ctx.arrays.edge_flag, false);
+    for (int unit = 0; unit < kMaxTextureUnits; ++unit)
+        add(pipeline::kTexture0 + unit, ctx.arrays.texture[static_cast<std::size_t>(unit)], false);
+    return input;
+}
+
+void draw_range(Context& ctx, GLenum mode, const pipeline::VertexRange& range) {
+    flush_vertices(ctx);
+    const pipeline::VertexInput input = input_of(ctx);
+    if (!(input.streamed & pipeline::bit(pipeline::kPosition))) return;
+    draw_primitives(ctx, mode, input, range, ctx.arrays.vertex.size < 4);
+}
+
+bool check_mode_and_count(Context& ctx, GLenum mode, GLsizei count) {
+    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive"), false;
+    if (count < 0) return record_error(ctx, GL_INVALID_VALUE, "count is negative"), false;
+    return true;
+}
+
+bool check_index_type(Context& ctx, GLenum type) {
+    if (is_one_of(type, {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT})) return true;
+    record_error(ctx, GL_INVALID_ENUM, "no type of indices");
+    return false;
+}
+
+template <typename Index>
+std::vector<std::uint32_t> widen(const GLvoid* indices, GLsizei count) {
+    const auto* const from = static_cast<const Index*>(indices);
+    return {from, from + count};
+}
+
+void draw_indexed(Context& ctx, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices) {
+    if (count == 0 || indices == nullptr) return;
+    const bool aligned = reinterpret_cast<std::uintptr_t>(indices) % alignof(std::uint32_t) == 0;
+    if (type == GL_UNSIGNED_INT && aligned)
+        return draw_range(ctx, mode, {0, static_cast<std::uint32_t>(count), static_cast<const std::uint32_t*>(indices)});
+    std::vector<std::uint32_t> wide;
+    if (type == GL_UNSIGNED_BYTE) {
+        wide = widen<std::uint8_t>(indices, count);
+    } else {
+        const std::size_t bytes = static_cast<std::size_t>(count * size_of_type(type));
+        std::vector<std::byte> copy(static_cast<const std::byte*>(indices), static_cast<const std::byte*>(indices) + bytes);
+        wide = type == GL_UNSIGNED_SHORT ? widen<std::uint16_t>(copy.data(), count) : widen<std::uint32_t>(copy.data(), count);
+    }
+    draw_range(ctx, mode, {0, static_cast<std::uint32_t>(count), wide.data()});
+}
+
+template <typename Component>
+double component_at(const std::byte* from, int index) {
+    Component value;
+    std::memcpy(&value, from + static_cast<std::size_t>(index) * sizeof value, sizeof value);
+    return static_cast<double>(value);
+}
+
+double component(GLenum type, const std::byte* from, int index) {
+    switch (type) {
+        case GL_BYTE:
+            return component_at<GLbyte>(from, index);
+        case GL_UNSIGNED_BYTE:
+            return component_at<GLubyte>(from, index);
+        case GL_SHORT:
+            return component_at<GLshort>(from, index);
+        case GL_UNSIGNED_SHORT:
+            return component_at<GLushort>(from, index);
+        case GL_INT:
+            return component_at<GLint>(from, index);
+        case GL_UNSIGNED_INT:
+            return component_at<GLuint>(from, index);
+        case GL_DOUBLE:
+            return component_at<GLdouble>(from, index);
+    }
+    return component_at<GLfloat>(from, index);
+}
+
+// Integers of colours and normals stand for [0, 1] and [-1, 1] (GL 1.5 table 2.9).
+double normalize_component(GLenum type, double value) {
+    switch (type) {
+        case GL_BYTE:
+            return (2 * value + 1) / 255;
+        case GL_UNSIGNED_BYTE:
+            return value / 255;
+        case GL_SHORT:
+            return (2 * value + 1) / 65535;
+        case GL_UNSIGNED_SHORT:
+            return value / 65535;
+        case GL_INT:
+            return (2 * value + 1) / 4294967295.0;
+        case GL_UNSIGNED_INT:
+            return value / 4294967295.0;
+    }
+    return value;
+}
+
+struct InterleavedFormat {
+    GLint texture_size, color_size;
+    GLenum color_type;
+    bool normal;
+    GLint vertex_size;
+    GLsizei color_offset, normal_offset, vertex_offset, stride;  // bytes
+};
+
+// GL 1.5 table 2.5, in the order of the enumerants from GL_V2F on.
+constexpr InterleavedFormat kInterleaved[] = {
+    {0, 0, 0, false, 2, 0, 0, 0, 8},                      // V2F
+    {0, 0, 0, false, 3, 0, 0, 0, 12},                     // V3F
+    {0, 4, GL_UNSIGNED_BYTE, false, 2, 0, 0, 4, 12},      // C4UB_V2F
+    {0, 4, GL_UNSIGNED_BYTE, false, 3, 0, 0, 4, 16},      // C4UB_V3F
+    {0, 3, GL_FLOAT, false, 3, 0, 0, 12, 24},             // C3F_V3F
+    {0, 0, 0, true, 3, 0, 0, 12, 24},                     // N3F_V3F
+    {0, 4, GL_FLOAT, true, 3, 0, 16, 28, 40},             // C4F_N3F_V3F
+    {2, 0, 0, false, 3, 0, 0, 8, 20},                     // T2F_V3F
+    {4, 0, 0, false, 4, 0, 0, 16, 32},                    // T4F_V4F
+    {2, 4, GL_UNSIGNED_BYTE, false, 3, 8, 0, 12, 24},     // T2F_C4UB_V3F
+    {2, 3, GL_FLOAT, false, 3, 8, 0, 20, 32},             // T2F_C3F_V3F
+    {2, 0, 0, true, 3, 0, 8, 20, 32},                     // T2F_N3F_V3F
+    {2, 4, GL_FLOAT, true, 3, 8, 24, 36, 48},             // T2F_C4F_N3F_V3F
+    {4, 4, GL_FLOAT, true, 4, 16, 32, 44, 60},            // T4F_C4F_N3F_V4F
+};
+
+}  // namespace
+
+std::array<GLfloat, 4> element_of(const ClientArray& array, GLint i, bool normalized) {
+    const GLsizei packed = array.size * size_of_type(array.type);
+    const std::byte* const from = static_cast<const std::byte*>(array.pointer) +
+                                  static_cast<std::ptrdiff_t>(i) * (array.stride ? array.stride : packed);
+    std::array<GLfloat, 4> out{0, 0, 0, 1};
+    for (int c = 0; c < array.size; ++c) {
+        const double value = component(array.type, from, c);
+        out[static_cast<std::size_t>(c)] = static_cast<GLfloat>(normalized ? normalize_component(array.type, value) : value);
+    }
+    return out;
+}
+
+void vertex_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.vertex, size, 2, 4, type, {GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
+}
+
+void normal_pointer(Context& ctx, GLenum type, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.normal, 3, 3, 3, type, {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
+}
+
+void color_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.color, size, 3, 4, type,
+                {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE}, stride,
+                pointer);
+}
+
+void index_pointer(Context& ctx, GLenum type, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.index, 1, 1, 1, type, {GL_UNSIGNED_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
+}
+
+void tex_coord_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.texture[ctx.arrays.active_texture], size, 1, 4, type, {GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE},
+                stride, pointer);
+}
+
+void edge_flag_pointer(Context& ctx, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.edge_flag, 1, 1, 1, GL_UNSIGNED_BYTE, {GL_UNSIGNED_BYTE}, stride, pointer);
+}
+
+void enable_client_state(Context& ctx, GLenum array) { set_enabled(ctx, array, true); }
+void disable_client_state(Context& ctx, GLenum array) { set_enabled(ctx, array, false); }
+
+void array_element(Context& ctx, GLint i) {
+    for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
+        if (attribute != pipeline::kPosition) {
+            set_attribute(ctx, attribute, v[0], v[1], v[2], v[3]);
+        } else if (ctx.vertex.open) {
+            vertex4f(ctx, v[0], v[1], v[2], v[3]);
+        }
+    });
+    const ClientArray& index = ctx.arrays.index;
+    if (index.enabled && index.pointer) ctx.vertex.current.index = element_of(index, i, false)[0];
+}
+
+void draw_arrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
+    if (!check_mode_and_count(ctx, mode, count)) return;
+    if (first < 0) return record_error(ctx, GL_INVALID_VALUE, "first is negative");
+    draw_range(ctx, mode, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), nullptr});
+}
+
+void draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+    if (!check_mode_and_count(ctx, mode, count) || !check_index_type(ctx, type)) return;
+    draw_indexed(ctx, mode, count, type, indices);
+}
+
+void draw_range_elements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+    if (!check_mode_and_count(ctx, mode, count)) return;
+    if (end < start) return record_error(ctx, GL_INVALID_VALUE, "end is before start");
+    if (!check_index_type(ctx, type)) return;
+    draw_indexed(ctx, mode, count, type, indices);
+}
+
+void multi_draw_arrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
+    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
+    if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    for (GLsizei i = 0; i < drawcount; ++i)
+        if (count[i] > 0) draw_arrays(ctx, mode, first[i], count[i]);
+}
+
+void multi_draw_elements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                         GLsizei drawcount) {
+    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
+    if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    for (GLsizei i = 0; i < drawcount; ++i)
+        if (count[i] > 0) draw_elements(ctx, mode, count[i], type, indices[i]);
+}
+
+void interleaved_arrays(Context& ctx, GLenum format, GLsizei stride, const void* pointer) {
+    if (format < GL_V2F || format > GL_T4F_C4F_N3F_V4F) return record_error(ctx, GL_INVALID_ENUM, "no such interleaved format");
+    if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
+    const InterleavedFormat& f = kInterleaved[format - GL_V2F];
+    const GLsizei step = stride ? stride : f.stride;
+    const auto* const bytes = static_cast<const std::byte*>(pointer);
+    ArrayState& arrays = ctx.arrays;
+    ClientArray& texture = arrays.texture[arrays.active_texture];
+    arrays.edge_flag.enabled = arrays.index.enabled = false;
+    texture.enabled = f.texture_size != 0;
+    if (texture.enabled) texture = {true, f.texture_size, GL_FLOAT, step, bytes};
+    arrays.color.enabled = f.color_size != 0;
+    if (arrays.color.enabled) arrays.color = {true, f.color_size, f.color_type, step, bytes + f.color_offset};
+    arrays.normal.enabled = f.normal;
+    if (f.normal) arrays.normal = {true, 3, GL_FLOAT, step, bytes + f.normal_offset};
+    arrays.vertex = {true, f.vertex_size, GL_FLOAT, step, bytes + f.vertex_offset};
+}
+
+}  // namespace terrazzo::gl
