@@ -34,7 +34,8 @@ bool is_one_of(GLenum type, std::initializer_list<GLenum> allowed) {
 // Checks and stores what a glXxxPointer command was given.
 void set_pointer(Context& ctx, ClientArray& array, GLint size, GLint low, GLint high, GLenum type,
                  std::initializer_list<GLenum> types, GLsizei stride, const GLvoid* pointer) {
-    if (size < low || size > high) return record_error(ctx, GL_INVALID_VALUE, "no array has elements of this size");
+    if (size < low || size > high)
+        return record_error(ctx, GL_INVALID_VALUE, "no array has elements of this size");
     if (!is_one_of(type, types)) return record_error(ctx, GL_INVALID_ENUM, "no type for this array");
     if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
     array = {array.enabled, size, type, stride, pointer};
@@ -66,11 +67,13 @@ void set_enabled(Context& ctx, GLenum name, bool enabled) {
 
 pipeline::AttributeStream stream_of(const ClientArray& array, bool normalized) {
     const GLsizei packed = array.size * size_of_type(array.type);
-    return {static_cast<const std::byte*>(array.pointer), static_cast<std::uint32_t>(array.stride ? array.stride : packed),
-            translate_type(array.type), static_cast<std::uint8_t>(array.size), normalized};
+    return {static_cast<const std::byte*>(array.pointer),
+            static_cast<std::uint32_t>(array.stride ? array.stride : packed), translate_type(array.type),
+            static_cast<std::uint8_t>(array.size), normalized};
 }
 
-// The enabled arrays that the pipeline reads, as streams. A null pointer is no array: its elements stay what they were.
+// The enabled arrays that the pipeline reads, as streams. A null pointer is no array: its elements stay what
+// they were.
 pipeline::VertexInput input_of(const Context& ctx) {
     pipeline::VertexInput input;
     input.constants = ctx.vertex.current.values;
@@ -117,14 +120,17 @@ void draw_indexed(Context& ctx, GLenum mode, GLsizei count, GLenum type, const G
     if (count == 0 || indices == nullptr) return;
     const bool aligned = reinterpret_cast<std::uintptr_t>(indices) % alignof(std::uint32_t) == 0;
     if (type == GL_UNSIGNED_INT && aligned)
-        return draw_range(ctx, mode, {0, static_cast<std::uint32_t>(count), static_cast<const std::uint32_t*>(indices)});
+        return draw_range(ctx, mode,
+                          {0, static_cast<std::uint32_t>(count), static_cast<const std::uint32_t*>(indices)});
     std::vector<std::uint32_t> wide;
     if (type == GL_UNSIGNED_BYTE) {
         wide = widen<std::uint8_t>(indices, count);
     } else {
         const std::size_t bytes = static_cast<std::size_t>(count * size_of_type(type));
-        std::vector<std::byte> copy(static_cast<const std::byte*>(indices), static_cast<const std::byte*>(indices) + bytes);
-        wide = type == GL_UNSIGNED_SHORT ? widen<std::uint16_t>(copy.data(), count) : widen<std::uint32_t>(copy.data(), count);
+        std::vector<std::byte> copy(static_cast<const std::byte*>(indices),
+                                    static_cast<const std::byte*>(indices) + bytes);
+        wide = type == GL_UNSIGNED_SHORT ? widen<std::uint16_t>(copy.data(), count)
+                                         : widen<std::uint32_t>(copy.data(), count);
     }
     draw_range(ctx, mode, {0, static_cast<std::uint32_t>(count), wide.data()});
 }
@@ -185,20 +191,20 @@ struct InterleavedFormat {
 
 // GL 1.5 table 2.5, in the order of the enumerants from GL_V2F on.
 constexpr InterleavedFormat kInterleaved[] = {
-    {0, 0, 0, false, 2, 0, 0, 0, 8},                      // V2F
-    {0, 0, 0, false, 3, 0, 0, 0, 12},                     // V3F
-    {0, 4, GL_UNSIGNED_BYTE, false, 2, 0, 0, 4, 12},      // C4UB_V2F
-    {0, 4, GL_UNSIGNED_BYTE, false, 3, 0, 0, 4, 16},      // C4UB_V3F
-    {0, 3, GL_FLOAT, false, 3, 0, 0, 12, 24},             // C3F_V3F
-    {0, 0, 0, true, 3, 0, 0, 12, 24},                     // N3F_V3F
-    {0, 4, GL_FLOAT, true, 3, 0, 16, 28, 40},             // C4F_N3F_V3F
-    {2, 0, 0, false, 3, 0, 0, 8, 20},                     // T2F_V3F
-    {4, 0, 0, false, 4, 0, 0, 16, 32},                    // T4F_V4F
-    {2, 4, GL_UNSIGNED_BYTE, false, 3, 8, 0, 12, 24},     // T2F_C4UB_V3F
-    {2, 3, GL_FLOAT, false, 3, 8, 0, 20, 32},             // T2F_C3F_V3F
-    {2, 0, 0, true, 3, 0, 8, 20, 32},                     // T2F_N3F_V3F
-    {2, 4, GL_FLOAT, true, 3, 8, 24, 36, 48},             // T2F_C4F_N3F_V3F
-    {4, 4, GL_FLOAT, true, 4, 16, 32, 44, 60},            // T4F_C4F_N3F_V4F
+    {0, 0, 0, false, 2, 0, 0, 0, 8},                   // V2F
+    {0, 0, 0, false, 3, 0, 0, 0, 12},                  // V3F
+    {0, 4, GL_UNSIGNED_BYTE, false, 2, 0, 0, 4, 12},   // C4UB_V2F
+    {0, 4, GL_UNSIGNED_BYTE, false, 3, 0, 0, 4, 16},   // C4UB_V3F
+    {0, 3, GL_FLOAT, false, 3, 0, 0, 12, 24},          // C3F_V3F
+    {0, 0, 0, true, 3, 0, 0, 12, 24},                  // N3F_V3F
+    {0, 4, GL_FLOAT, true, 3, 0, 16, 28, 40},          // C4F_N3F_V3F
+    {2, 0, 0, false, 3, 0, 0, 8, 20},                  // T2F_V3F
+    {4, 0, 0, false, 4, 0, 0, 16, 32},                 // T4F_V4F
+    {2, 4, GL_UNSIGNED_BYTE, false, 3, 8, 0, 12, 24},  // T2F_C4UB_V3F
+    {2, 3, GL_FLOAT, false, 3, 8, 0, 20, 32},          // T2F_C3F_V3F
+    {2, 0, 0, true, 3, 0, 8, 20, 32},                  // T2F_N3F_V3F
+    {2, 4, GL_FLOAT, true, 3, 8, 24, 36, 48},          // T2F_C4F_N3F_V3F
+    {4, 4, GL_FLOAT, true, 4, 16, 32, 44, 60},         // T4F_C4F_N3F_V4F
 };
 
 }  // namespace
@@ -210,40 +216,49 @@ std::array<GLfloat, 4> element_of(const ClientArray& array, GLint i, bool normal
     std::array<GLfloat, 4> out{0, 0, 0, 1};
     for (int c = 0; c < array.size; ++c) {
         const double value = component(array.type, from, c);
-        out[static_cast<std::size_t>(c)] = static_cast<GLfloat>(normalized ? normalize_component(array.type, value) : value);
+        out[static_cast<std::size_t>(c)] =
+            static_cast<GLfloat>(normalized ? normalize_component(array.type, value) : value);
     }
     return out;
 }
 
 void vertex_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    set_pointer(ctx, ctx.arrays.vertex, size, 2, 4, type, {GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
+    set_pointer(ctx, ctx.arrays.vertex, size, 2, 4, type, {GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride,
+                pointer);
 }
 
 void normal_pointer(Context& ctx, GLenum type, GLsizei stride, const void* pointer) {
-    set_pointer(ctx, ctx.arrays.normal, 3, 3, 3, type, {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
+    set_pointer(ctx, ctx.arrays.normal, 3, 3, 3, type, {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE},
+                stride, pointer);
 }
 
 void color_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
     set_pointer(ctx, ctx.arrays.color, size, 3, 4, type,
-                {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE}, stride,
-                pointer);
+                {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT,
+                 GL_DOUBLE},
+                stride, pointer);
 }
 
 void index_pointer(Context& ctx, GLenum type, GLsizei stride, const void* pointer) {
-    set_pointer(ctx, ctx.arrays.index, 1, 1, 1, type, {GL_UNSIGNED_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
+    set_pointer(ctx, ctx.arrays.index, 1, 1, 1, type,
+                {GL_UNSIGNED_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
 }
 
 void tex_coord_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    set_pointer(ctx, ctx.arrays.texture[ctx.arrays.active_texture], size, 1, 4, type, {GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE},
-                stride, pointer);
+    set_pointer(ctx, ctx.arrays.texture[ctx.arrays.active_texture], size, 1, 4, type,
+                {GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE}, stride, pointer);
 }
 
 void edge_flag_pointer(Context& ctx, GLsizei stride, const void* pointer) {
     set_pointer(ctx, ctx.arrays.edge_flag, 1, 1, 1, GL_UNSIGNED_BYTE, {GL_UNSIGNED_BYTE}, stride, pointer);
 }
 
-void enable_client_state(Context& ctx, GLenum array) { set_enabled(ctx, array, true); }
-void disable_client_state(Context& ctx, GLenum array) { set_enabled(ctx, array, false); }
+void enable_client_state(Context& ctx, GLenum array) {
+    set_enabled(ctx, array, true);
+}
+void disable_client_state(Context& ctx, GLenum array) {
+    set_enabled(ctx, array, false);
+}
 
 void array_element(Context& ctx, GLint i) {
     for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
@@ -268,22 +283,24 @@ void draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const 
     draw_indexed(ctx, mode, count, type, indices);
 }
 
-void draw_range_elements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+void draw_range_elements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                         const void* indices) {
     if (!check_mode_and_count(ctx, mode, count)) return;
     if (end < start) return record_error(ctx, GL_INVALID_VALUE, "end is before start");
     if (!check_index_type(ctx, type)) return;
     draw_indexed(ctx, mode, count, type, indices);
 }
 
-void multi_draw_arrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
+void multi_draw_arrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count,
+                       GLsizei drawcount) {
     if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
     if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
     for (GLsizei i = 0; i < drawcount; ++i)
         if (count[i] > 0) draw_arrays(ctx, mode, first[i], count[i]);
 }
 
-void multi_draw_elements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
-                         GLsizei drawcount) {
+void multi_draw_elements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type,
+                         const void* const* indices, GLsizei drawcount) {
     if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
     if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
     for (GLsizei i = 0; i < drawcount; ++i)
@@ -291,7 +308,8 @@ void multi_draw_elements(Context& ctx, GLenum mode, const GLsizei* count, GLenum
 }
 
 void interleaved_arrays(Context& ctx, GLenum format, GLsizei stride, const void* pointer) {
-    if (format < GL_V2F || format > GL_T4F_C4F_N3F_V4F) return record_error(ctx, GL_INVALID_ENUM, "no such interleaved format");
+    if (format < GL_V2F || format > GL_T4F_C4F_N3F_V4F)
+        return record_error(ctx, GL_INVALID_ENUM, "no such interleaved format");
     if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
     const InterleavedFormat& f = kInterleaved[format - GL_V2F];
     const GLsizei step = stride ? stride : f.stride;

@@ -28,14 +28,16 @@ struct ArrayState {
 
     ClientArray vertex, normal, color, index, edge_flag;
     std::array<ClientArray, kMaxTextureUnits> texture;
-    unsigned active_texture = 0;  // the unit glTexCoordPointer and glEnableClientState(GL_TEXTURE_COORD_ARRAY) act on
+    unsigned active_texture =
+        0;  // the unit glTexCoordPointer and glEnableClientState(GL_TEXTURE_COORD_ARRAY) act on
 };
 
-// Element `i` of an array as floats, missing components as 0, 0, 0, 1; `normalized` integers stand for [0, 1] or [-1, 1].
+// Element `i` of an array as floats, missing components as 0, 0, 0, 1; `normalized` integers stand for [0, 1]
+// or [-1, 1].
 std::array<GLfloat, 4> element_of(const ClientArray& array, GLint i, bool normalized);
 
-// Calls set(pipeline::Attribute, values) for element `i` of each enabled array, the position last. Index arrays, which RGBA
-// mode ignores, are left out.
+// Calls set(pipeline::Attribute, values) for element `i` of each enabled array, the position last. Index
+// arrays, which RGBA mode ignores, are left out.
 template <typename Set>
 void for_each_enabled_array(const ArrayState& arrays, GLint i, Set set) {
     const auto visit = [&](int attribute, const ClientArray& array, bool normalized) {

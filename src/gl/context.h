@@ -13,9 +13,9 @@
 
 #include "gl/arrays.h"
 #include "gl/attrib.h"
-#include "gl/draw.h"
 #include "gl/config.h"
 #include "gl/current.h"
+#include "gl/draw.h"
 #include "gl/error.h"
 #include "gl/fog.h"
 #include "gl/fragment_ops.h"

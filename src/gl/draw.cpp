@@ -16,8 +16,8 @@ void begin_change(Context& ctx, Dirty what) {
     ctx.dirty |= static_cast<unsigned>(what);
 }
 
-void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input, const pipeline::VertexRange& range,
-                     bool w_is_one) {
+void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
+                     const pipeline::VertexRange& range, bool w_is_one) {
     validate(ctx, input, mode, w_is_one);
     ctx.surface.drawn = true;
     ctx.renderer.draw(ctx.drawing.state, input, translate_mode(mode), range);
@@ -39,7 +39,8 @@ std::uint32_t clear_depth_value(GLdouble depth, int bits) {
 }  // namespace
 
 void clear(Context& ctx, GLbitfield mask) {
-    constexpr GLbitfield kBuffers = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
+    constexpr GLbitfield kBuffers =
+        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
     if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
     flush_vertices(ctx);
     const raster::TargetFormat& target = ctx.surface.format;
@@ -48,9 +49,12 @@ void clear(Context& ctx, GLbitfield mask) {
     raster::BinClear clear{};
     for (unsigned c = 0; c < 4; ++c) clear.color_mask |= static_cast<std::uint8_t>(color.write_mask[c] << c);
     clear.stencil_mask = static_cast<std::uint8_t>(ctx.fragment_ops.stencil.write_mask);
-    clear.planes.color = (mask & GL_COLOR_BUFFER_BIT) && ctx.framebuffer.draw_buffer != GL_NONE && clear.color_mask != 0;
-    clear.planes.depth = (mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits != 0 && ctx.fragment_ops.depth.write_mask;
-    clear.planes.stencil = (mask & GL_STENCIL_BUFFER_BIT) && target.stencil_bits != 0 && clear.stencil_mask != 0;
+    clear.planes.color =
+        (mask & GL_COLOR_BUFFER_BIT) && ctx.framebuffer.draw_buffer != GL_NONE && clear.color_mask != 0;
+    clear.planes.depth =
+        (mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits != 0 && ctx.fragment_ops.depth.write_mask;
+    clear.planes.stencil =
+        (mask & GL_STENCIL_BUFFER_BIT) && target.stencil_bits != 0 && clear.stencil_mask != 0;
     if (!clear.planes.color && !clear.planes.depth && !clear.planes.stencil) return;
     std::copy_n(values.color.data(), 4, clear.values.color);
     clear.values.depth = clear_depth_value(values.depth, target.depth_bits);

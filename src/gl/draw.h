@@ -22,10 +22,10 @@ struct Drawing {
     std::array<float, 4> constant_color{};
 };
 
-// Queues primitives of vertices that were specified under the present state. `w_is_one`: so is every position's w.
-// Throws std::bad_alloc.
-void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input, const pipeline::VertexRange& range,
-                     bool w_is_one);
+// Queues primitives of vertices that were specified under the present state. `w_is_one`: so is every
+// position's w. Throws std::bad_alloc.
+void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
+                     const pipeline::VertexRange& range, bool w_is_one);
 
 // Brings ctx.drawing.state up to date for a draw of these attributes.
 void validate(Context& ctx, const pipeline::VertexInput& input, GLenum mode, bool w_is_one);

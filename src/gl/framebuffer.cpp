@@ -9,9 +9,9 @@
 namespace terrazzo::gl {
 namespace {
 
-// GL_INVALID_ENUM for what is no buffer, GL_INVALID_OPERATION for buffers that are not there (GL 1.5 §4.2.1). The
-// render target has one colour buffer, front left, and like OSMesa we take back left for another name of it: programs
-// written for double-buffered windows ask for it.
+// GL_INVALID_ENUM for what is no buffer, GL_INVALID_OPERATION for buffers that are not there (GL 1.5 §4.2.1).
+// The render target has one colour buffer, front left, and like OSMesa we take back left for another name of
+// it: programs written for double-buffered windows ask for it.
 GLenum check_buffer(GLenum buffer) {
     switch (buffer) {
         case GL_FRONT:

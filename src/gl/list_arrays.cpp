@@ -1,5 +1,5 @@
-// Vertex arrays in display lists (GL 1.5 §5.4): the arrays are read when the list is compiled, and what they hold is
-// recorded as the Begin, attribute and End commands that draw the same.
+// Vertex arrays in display lists (GL 1.5 §5.4): the arrays are read when the list is compiled, and what they
+// hold is recorded as the Begin, attribute and End commands that draw the same.
 #include <vector>
 
 #include "gl/context.h"
@@ -64,18 +64,21 @@ void Compile::DrawElements(Context& ctx, GLenum mode, GLsizei count, GLenum type
     Compile::End(ctx);
 }
 
-void Compile::DrawRangeElements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+void Compile::DrawRangeElements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                                GLenum type, const void* indices) {
     if (end < start) return record_error(ctx, GL_INVALID_VALUE, "end is before start");
     DrawElements(ctx, mode, count, type, indices);
 }
 
-void Compile::MultiDrawArrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
+void Compile::MultiDrawArrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count,
+                              GLsizei drawcount) {
     if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
     for (GLsizei i = 0; i < drawcount; ++i)
         if (count[i] > 0) DrawArrays(ctx, mode, first[i], count[i]);
 }
 
-void Compile::MultiDrawElements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount) {
+void Compile::MultiDrawElements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type,
+                                const void* const* indices, GLsizei drawcount) {
     if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
     for (GLsizei i = 0; i < drawcount; ++i)
         if (count[i] > 0) DrawElements(ctx, mode, count[i], type, indices[i]);

@@ -75,8 +75,9 @@ raster::BlendEquation translate_blend_equation(GLenum equation) {
 
 raster::LogicOp translate_logic_op(GLenum op) {
     // Truth tables for GL_CLEAR to GL_SET: bit 2s + d is the result for source bit s and destination bit d.
-    static constexpr raster::LogicOp kTables[16] = {0b0000, 0b1000, 0b0100, 0b1100, 0b0010, 0b1010, 0b0110, 0b1110,
-                                                    0b0001, 0b1001, 0b0101, 0b1101, 0b0011, 0b1011, 0b0111, 0b1111};
+    static constexpr raster::LogicOp kTables[16] = {0b0000, 0b1000, 0b0100, 0b1100, 0b0010, 0b1010,
+                                                    0b0110, 0b1110, 0b0001, 0b1001, 0b0101, 0b1101,
+                                                    0b0011, 0b1011, 0b0111, 0b1111};
     return kTables[(op - GL_CLEAR) & 15];
 }
 

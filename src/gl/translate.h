@@ -1,4 +1,5 @@
-// GL enumerants in the pipeline's terms. Commands have checked their arguments, so every value here is a legal one.
+// GL enumerants in the pipeline's terms. Commands have checked their arguments, so every value here is a
+// legal one.
 #pragma once
 
 #include <GL/gl.h>
@@ -10,10 +11,14 @@
 
 namespace terrazzo::gl {
 
-inline raster::Compare translate_compare(GLenum func) { return static_cast<raster::Compare>(func - GL_NEVER); }
+inline raster::Compare translate_compare(GLenum func) {
+    return static_cast<raster::Compare>(func - GL_NEVER);
+}
 static_assert(GL_ALWAYS - GL_NEVER == static_cast<int>(raster::Compare::kAlways));
 
-inline pipeline::PrimitiveMode translate_mode(GLenum mode) { return static_cast<pipeline::PrimitiveMode>(mode); }
+inline pipeline::PrimitiveMode translate_mode(GLenum mode) {
+    return static_cast<pipeline::PrimitiveMode>(mode);
+}
 static_assert(GL_POLYGON == static_cast<int>(pipeline::PrimitiveMode::kPolygon));
 
 raster::StencilOp translate_stencil_op(GLenum op);

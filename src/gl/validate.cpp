@@ -1,5 +1,5 @@
-// From GL state to the pipeline's: the one place where GL's terms become DrawState. Each part is remade only when the
-// state it is made from has changed.
+// From GL state to the pipeline's: the one place where GL's terms become DrawState. Each part is remade only
+// when the state it is made from has changed.
 #include <algorithm>
 #include <cmath>
 
@@ -13,14 +13,19 @@ namespace {
 
 using pipeline::bit;
 
-bool is_dirty(const Context& ctx, Dirty what) { return (ctx.dirty & static_cast<unsigned>(what)) != 0; }
+bool is_dirty(const Context& ctx, Dirty what) {
+    return (ctx.dirty & static_cast<unsigned>(what)) != 0;
+}
 
-float unit(GLfloat value) { return std::clamp(value, 0.0f, 1.0f); }
+float unit(GLfloat value) {
+    return std::clamp(value, 0.0f, 1.0f);
+}
 
 // doc/reference.md §1: y counts downwards in a window, as the target's rows do.
 void make_viewport(const Context& ctx, pipeline::VertexState& out) {
     const ViewportState& v = ctx.framebuffer.viewport;
-    const float half_width = 0.5f * static_cast<float>(v.width), half_height = 0.5f * static_cast<float>(v.height);
+    const float half_width = 0.5f * static_cast<float>(v.width),
+                half_height = 0.5f * static_cast<float>(v.height);
     const float target_height = static_cast<float>(ctx.surface.height);
     out.viewport_scale[0] = half_width;
     out.viewport_translate[0] = half_width + static_cast<float>(v.x);
@@ -40,7 +45,8 @@ void make_transform(Context& ctx, pipeline::VertexState& out) {
     std::copy_n(modelview.value.m, 16, out.modelview);
     out.affine = mvp.m[3] == 0 && mvp.m[7] == 0 && mvp.m[11] == 0 && mvp.m[15] == 1;
     for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) out.normal_matrix[row + 3 * column] = modelview.inverse.at(column, row);
+        for (int column = 0; column < 3; ++column)
+            out.normal_matrix[row + 3 * column] = modelview.inverse.at(column, row);
 
     const Matrix4& inverse = modelview.inverse;
     const float length2 = inverse.at(2, 0) * inverse.at(2, 0) + inverse.at(2, 1) * inverse.at(2, 1) +
@@ -84,7 +90,10 @@ pipeline::Light make_light(const Light& light) {
     out.attenuation[1] = light.linear_attenuation;
     out.attenuation[2] = light.quadratic_attenuation;
     out.spot_exponent = light.spot_exponent;
-    out.spot_cos_cutoff = light.spot_cutoff == 180 ? -1.0f : std::max(0.0f, static_cast<float>(std::cos(light.spot_cutoff * M_PI / 180.0)));
+    out.spot_cos_cutoff =
+        light.spot_cutoff == 180
+            ? -1.0f
+            : std::max(0.0f, static_cast<float>(std::cos(light.spot_cutoff * M_PI / 180.0)));
     return out;
 }
 
@@ -113,10 +122,12 @@ void make_lighting(const Context& ctx, pipeline::Lighting& out) {
     out.materials[1] = make_material(state.back);
     const ColorMaterial& tracking = state.color_material;
     for (int face = 0; face < 2; ++face) {
-        const bool tracks = tracking.enabled && tracking.face != static_cast<GLenum>(face == 0 ? GL_BACK : GL_FRONT);
+        const bool tracks =
+            tracking.enabled && tracking.face != static_cast<GLenum>(face == 0 ? GL_BACK : GL_FRONT);
         const bool both = tracking.mode == GL_AMBIENT_AND_DIFFUSE;
-        out.color_material[face] = {tracks && (both || tracking.mode == GL_AMBIENT), tracks && (both || tracking.mode == GL_DIFFUSE),
-                                    tracks && tracking.mode == GL_SPECULAR, tracks && tracking.mode == GL_EMISSION};
+        out.color_material[face] = {
+            tracks && (both || tracking.mode == GL_AMBIENT), tracks && (both || tracking.mode == GL_DIFFUSE),
+            tracks && tracking.mode == GL_SPECULAR, tracks && tracking.mode == GL_EMISSION};
     }
 }
 
@@ -157,7 +168,8 @@ const TextureObject* sampled_texture(const TextureUnit& unit, TextureCompletenes
 
 void set_filters(const TextureParameters& p, raster::Sampler& out) {
     using raster::Filter, raster::MipFilter;
-    const bool linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST || p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
+    const bool linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
+                        p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
     out.min_filter = linear ? Filter::kLinear : Filter::kNearest;
     out.mag_filter = p.mag_filter == GL_LINEAR ? Filter::kLinear : Filter::kNearest;
     out.mip_filter = p.min_filter == GL_NEAREST || p.min_filter == GL_LINEAR ? MipFilter::kNone
@@ -167,7 +179,8 @@ void set_filters(const TextureParameters& p, raster::Sampler& out) {
 }
 
 raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, const TextureObject& object,
-                                const TextureCompleteness& levels, std::vector<std::shared_ptr<const void>>& images) {
+                                const TextureCompleteness& levels,
+                                std::vector<std::shared_ptr<const void>>& images) {
     raster::TextureStage stage;
     stage.unit = static_cast<std::uint8_t>(unit_number);
     stage.mode = translate_env_mode(unit_state.env.mode);
@@ -179,7 +192,8 @@ raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, 
     sampler.wrap_s = translate_wrap(p.wrap_s);
     sampler.wrap_t = translate_wrap(p.wrap_t);
     // Clamped coordinates pick border texels only where neighbours are mixed.
-    const bool nearest = sampler.min_filter == raster::Filter::kNearest && sampler.mag_filter == raster::Filter::kNearest;
+    const bool nearest =
+        sampler.min_filter == raster::Filter::kNearest && sampler.mag_filter == raster::Filter::kNearest;
     for (raster::Wrap* const wrap : {&sampler.wrap_s, &sampler.wrap_t})
         if (nearest && *wrap == raster::Wrap::kClamp) *wrap = raster::Wrap::kClampToEdge;
     sampler.min_lod = p.min_lod;
@@ -188,9 +202,11 @@ raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, 
     sampler.level_count = static_cast<std::uint8_t>(levels.last - levels.base + 1);
     for (int level = levels.base; level <= levels.last; ++level) {
         const auto& image = object.levels[static_cast<std::size_t>(level)].image;
-        const void* const texels = image->storage == pipeline::TexelStorage::kRgba8 ? static_cast<const void*>(image->rgba8(0, 0))
-                                                                                   : image->rgba32f(0, 0);
-        sampler.levels[static_cast<std::size_t>(level - levels.base)] = {texels, image->width, image->height, image->pitch};
+        const void* const texels = image->storage == pipeline::TexelStorage::kRgba8
+                                       ? static_cast<const void*>(image->rgba8(0, 0))
+                                       : image->rgba32f(0, 0);
+        sampler.levels[static_cast<std::size_t>(level - levels.base)] = {texels, image->width, image->height,
+                                                                         image->pitch};
         images.push_back(image);
     }
     const pipeline::TextureImage& base = *object.levels[static_cast<std::size_t>(levels.base)].image;
@@ -205,7 +221,8 @@ bool is_identity(const Matrix4& m) {
 }
 
 // Texture coordinates of a unit that samples something. Says whether q may be other than 1.
-bool make_texture_coordinates(Context& ctx, int number, const pipeline::VertexInput& input, pipeline::TextureCoordinates& out) {
+bool make_texture_coordinates(Context& ctx, int number, const pipeline::VertexInput& input,
+                              pipeline::TextureCoordinates& out) {
     const TextureUnit& state = ctx.texture.units[static_cast<std::size_t>(number)];
     const StackMatrix& matrix = ctx.matrix.texture[static_cast<std::size_t>(number)].top();
     out.used = true;
@@ -218,8 +235,9 @@ bool make_texture_coordinates(Context& ctx, int number, const pipeline::VertexIn
         std::copy_n(plane.data(), 4, out.planes[c]);
     }
     const auto attribute = static_cast<std::size_t>(pipeline::kTexture0 + number);
-    const bool streams_q = input.streamed & bit(static_cast<int>(attribute)) ? input.streams[attribute].components > 3
-                                                                             : input.constants[attribute][3] != 1;
+    const bool streams_q = input.streamed & bit(static_cast<int>(attribute))
+                               ? input.streams[attribute].components > 3
+                               : input.constants[attribute][3] != 1;
     const float* const m = matrix.value.m;
     const bool projects = m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1;
     return streams_q || projects || out.texgen[3] != pipeline::TexgenMode::kOff;
@@ -228,7 +246,8 @@ bool make_texture_coordinates(Context& ctx, int number, const pipeline::VertexIn
 raster::BlendKind blend_kind(const BlendState& b, bool eight_bits) {
     const bool adds = b.equation_rgb == GL_FUNC_ADD && b.equation_alpha == GL_FUNC_ADD;
     const auto factors = [&](GLenum source, GLenum destination) {
-        return b.source_rgb == source && b.source_alpha == source && b.destination_rgb == destination && b.destination_alpha == destination;
+        return b.source_rgb == source && b.source_alpha == source && b.destination_rgb == destination &&
+               b.destination_alpha == destination;
     };
     if (adds && factors(GL_ONE, GL_ZERO)) return raster::BlendKind::kNone;
     if (adds && eight_bits && factors(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)) return raster::BlendKind::kAlpha;
@@ -273,8 +292,9 @@ void make_blending(const Context& ctx, raster::FragmentState& out) {
     out.logic_op = translate_logic_op(color.logic_op.op);
     const BlendState& b = color.blend;
     // A logic op takes the place of blending (GL 1.5 §4.1.9).
-    key.blend = b.enabled && !color.logic_op.color_enabled ? blend_kind(b, target.color == raster::ColorFormat::kRgba8)
-                                                           : raster::BlendKind::kNone;
+    key.blend = b.enabled && !color.logic_op.color_enabled
+                    ? blend_kind(b, target.color == raster::ColorFormat::kRgba8)
+                    : raster::BlendKind::kNone;
     out.blend_source_rgb = translate_blend_factor(b.source_rgb);
     out.blend_source_alpha = translate_blend_factor(b.source_alpha);
     out.blend_destination_rgb = translate_blend_factor(b.destination_rgb);
@@ -286,17 +306,18 @@ void make_blending(const Context& ctx, raster::FragmentState& out) {
 
 void make_fog(const Context& ctx, raster::FragmentState& out) {
     const FogState& fog = ctx.fog;
-    out.key.fog = !fog.enabled             ? raster::FogMode::kNone
-                  : fog.mode == GL_LINEAR  ? raster::FogMode::kLinear
-                  : fog.mode == GL_EXP     ? raster::FogMode::kExp
-                                           : raster::FogMode::kExp2;
+    out.key.fog = !fog.enabled            ? raster::FogMode::kNone
+                  : fog.mode == GL_LINEAR ? raster::FogMode::kLinear
+                  : fog.mode == GL_EXP    ? raster::FogMode::kExp
+                                          : raster::FogMode::kExp2;
     std::transform(fog.color.begin(), fog.color.end(), out.fog_color, unit);
     out.fog_density = fog.density;
     out.fog_start = fog.start;
     out.fog_end = fog.end;
 }
 
-raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_units, unsigned projective_units) {
+raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_units,
+                                  unsigned projective_units) {
     raster::Varyings v;
     int next = 0;
     const auto take = [&](int planes) {
@@ -315,13 +336,16 @@ raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_
 }
 
 // The one-unit case that has kernels of its own.
-bool is_plain_bilinear(const raster::FragmentState& state, const std::vector<raster::TextureStage>& stages, unsigned projective) {
+bool is_plain_bilinear(const raster::FragmentState& state, const std::vector<raster::TextureStage>& stages,
+                       unsigned projective) {
     if (stages.size() != 1 || projective != 0 || !state.key.perspective) return false;
     const raster::TextureStage& stage = stages[0];
     const raster::Sampler& s = stage.sampler;
-    const bool linear = s.mip_filter == raster::MipFilter::kNone && s.min_filter == raster::Filter::kLinear && s.mag_filter == raster::Filter::kLinear;
-    return linear && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 && s.storage == raster::TexelStorage::kRgba8 &&
-           s.wrap_s == raster::Wrap::kRepeat && s.wrap_t == raster::Wrap::kRepeat &&
+    const bool linear = s.mip_filter == raster::MipFilter::kNone && s.min_filter == raster::Filter::kLinear &&
+                        s.mag_filter == raster::Filter::kLinear;
+    return linear && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 &&
+           s.storage == raster::TexelStorage::kRgba8 && s.wrap_s == raster::Wrap::kRepeat &&
+           s.wrap_t == raster::Wrap::kRepeat &&
            (stage.base_format == raster::BaseFormat::kRgb || stage.base_format == raster::BaseFormat::kRgba);
 }
 
@@ -334,11 +358,13 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     make_fog(ctx, state);
     raster::FragmentKey& key = state.key;
     const PolygonState& polygon = ctx.rasterization.polygon;
-    key.depth_offset = key.depth_test && (polygon.offset_fill || polygon.offset_line || polygon.offset_point) &&
+    key.depth_offset = key.depth_test &&
+                       (polygon.offset_fill || polygon.offset_line || polygon.offset_point) &&
                        (polygon.offset_factor != 0 || polygon.offset_units != 0);
     key.polygon_stipple = polygon.stipple_enabled && ctx.drawing.filled_polygons;
     if (key.polygon_stipple) {
-        block->polygon_stipple.assign(ctx.rasterization.polygon_stipple.rows.begin(), ctx.rasterization.polygon_stipple.rows.end());
+        block->polygon_stipple.assign(ctx.rasterization.polygon_stipple.rows.begin(),
+                                      ctx.rasterization.polygon_stipple.rows.end());
         state.target_height_for_stipple = ctx.surface.height;
     }
     key.perspective = !(draw.vertex.affine && w_is_one);
@@ -362,9 +388,10 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
             if (make_texture_coordinates(ctx, u, input, coordinates)) projective |= 1u << u;
         }
     }
-    key.texture = block->stages.empty()                                      ? raster::TextureKind::kNone
-                  : is_plain_bilinear(state, block->stages, projective)      ? raster::TextureKind::kModulateBilinearRgba8
-                                                                             : raster::TextureKind::kGeneral;
+    key.texture = block->stages.empty() ? raster::TextureKind::kNone
+                  : is_plain_bilinear(state, block->stages, projective)
+                      ? raster::TextureKind::kModulateBilinearRgba8
+                      : raster::TextureKind::kGeneral;
     state.varyings = lay_out_varyings(key, used, projective);
     block->complete();
     draw.vertex.varyings = state.varyings;
@@ -398,16 +425,18 @@ void validate(Context& ctx, const pipeline::VertexInput& input, GLenum mode, boo
     pipeline::VertexState& vertex = drawing.state.vertex;
     if (is_dirty(ctx, Dirty::kTransform) || is_dirty(ctx, Dirty::kFramebuffer)) make_transform(ctx, vertex);
     if (is_dirty(ctx, Dirty::kLighting)) make_lighting(ctx, vertex.lighting);
-    constexpr unsigned kRasterInputs = static_cast<unsigned>(Dirty::kRasterization) | static_cast<unsigned>(Dirty::kFragment) |
-                                       static_cast<unsigned>(Dirty::kLighting) | static_cast<unsigned>(Dirty::kFramebuffer);
+    constexpr unsigned kRasterInputs =
+        static_cast<unsigned>(Dirty::kRasterization) | static_cast<unsigned>(Dirty::kFragment) |
+        static_cast<unsigned>(Dirty::kLighting) | static_cast<unsigned>(Dirty::kFramebuffer);
     if (ctx.dirty & kRasterInputs) make_raster(ctx, drawing.state.raster);
 
-    const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill && drawing.state.raster.fill[1] == pipeline::FillMode::kFill;
+    const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill &&
+                            drawing.state.raster.fill[1] == pipeline::FillMode::kFill;
     vertex.edge_flags = !all_filled;
     const bool filled_polygons = mode >= GL_TRIANGLES && all_filled;
     const auto& color = input.constants[pipeline::kColor];
-    const bool same_vertices = drawing.streamed == input.streamed && drawing.w_is_one == w_is_one && drawing.constant_color == color &&
-                               drawing.filled_polygons == filled_polygons;
+    const bool same_vertices = drawing.streamed == input.streamed && drawing.w_is_one == w_is_one &&
+                               drawing.constant_color == color && drawing.filled_polygons == filled_polygons;
     if (ctx.dirty == 0 && same_vertices && drawing.state.fragment) return;
     drawing.streamed = input.streamed;
     drawing.w_is_one = w_is_one;

@@ -10,8 +10,8 @@
 namespace terrazzo::gl {
 namespace {
 
-// A batch this long goes to the pipeline at the next End, or in the middle of a run if none comes. Longer batches
-// leave the processor's second-level cache before they are drawn.
+// A batch this long goes to the pipeline at the next End, or in the middle of a run if none comes. Longer
+// batches leave the processor's second-level cache before they are drawn.
 constexpr std::uint32_t kLongBatch = 4096;
 constexpr std::uint32_t kLongestBatch = 49152;
 // Above this, a constant attribute that changes outside Begin and End starts a new batch instead of a stream.
@@ -69,8 +69,10 @@ void draw_runs(Context& ctx) {
     const auto stride = static_cast<std::uint32_t>(batch.stride * sizeof(float));
     input.streams[pipeline::kPosition] = {bytes, stride, pipeline::ComponentType::kFloat32, 4, false};
     for (std::uint32_t i = 0; i < batch.stream_count; ++i)
-        input.streams[batch.streams[i]] = {bytes + 4 * sizeof(float) * (i + 1), stride, pipeline::ComponentType::kFloat32, 4, false};
-    for (const PrimitiveRun& run : batch.runs) draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, batch.w_is_one);
+        input.streams[batch.streams[i]] = {bytes + 4 * sizeof(float) * (i + 1), stride,
+                                           pipeline::ComponentType::kFloat32, 4, false};
+    for (const PrimitiveRun& run : batch.runs)
+        draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, batch.w_is_one);
 }
 
 // How many of a run's vertices can be drawn now, and which of them the rest of the run needs again.
@@ -150,7 +152,8 @@ void stream_attribute(Context& ctx, int attribute) {
     const auto& constant = ctx.vertex.current.values[static_cast<std::size_t>(attribute)];
     for (std::uint32_t i = batch.count; i-- > 0;) {
         float* const to = batch.data.data() + static_cast<std::size_t>(i) * stride;
-        std::memmove(to, batch.data.data() + static_cast<std::size_t>(i) * old_stride, old_stride * sizeof(float));
+        std::memmove(to, batch.data.data() + static_cast<std::size_t>(i) * old_stride,
+                     old_stride * sizeof(float));
         std::copy(constant.begin(), constant.end(), to + old_stride);
     }
     batch.stride = stride;
@@ -174,7 +177,8 @@ void end(Context& ctx) {
     if (!vertex.loop_start.empty()) {
         // A stream may have been added since the loop was broken: its value there is the last one's.
         vertex.loop_start.resize(vertex.batch.stride);
-        if (vertex.batch.end - vertex.batch.next < static_cast<std::ptrdiff_t>(vertex.batch.stride)) grow_batch(ctx);
+        if (vertex.batch.end - vertex.batch.next < static_cast<std::ptrdiff_t>(vertex.batch.stride))
+            grow_batch(ctx);
         std::copy(vertex.loop_start.begin(), vertex.loop_start.end(), vertex.batch.next);
         vertex.batch.next += vertex.batch.stride;
         ++vertex.batch.count;

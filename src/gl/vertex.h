@@ -1,8 +1,8 @@
 // Begin/End and the current vertex attributes (GL 1.5 §2.6, §2.7).
 //
-// Vertices are collected in a batch that outlives End: runs of primitives that were specified under the same state go to
-// the pipeline together, when something is about to change (`begin_change`) or must be seen. A batch holds a stream for
-// each attribute that changed since its first vertex; all others are constant.
+// Vertices are collected in a batch that outlives End: runs of primitives that were specified under the same
+// state go to the pipeline together, when something is about to change (`begin_change`) or must be seen. A
+// batch holds a stream for each attribute that changed since its first vertex; all others are constant.
 #pragma once
 
 #include <GL/gl.h>
@@ -38,7 +38,8 @@ struct PrimitiveRun {
 };
 
 struct VertexBatch {
-    // Vertex i begins at data[i * stride]: the position, then `streams[0]`, `streams[1]`, ..., four floats each.
+    // Vertex i begins at data[i * stride]: the position, then `streams[0]`, `streams[1]`, ..., four floats
+    // each.
     std::vector<float> data;
     float* next = nullptr;  // where the next vertex goes
     float* end = nullptr;
@@ -54,10 +55,10 @@ struct VertexBatch {
 struct VertexState {
     CurrentAttributes current;
     VertexBatch batch;
-    GLenum mode = GL_POINTS;         // of the open Begin
-    std::uint32_t open_first = 0;    // where its run starts
-    bool open = false;               // between Begin and End
-    std::vector<float> loop_start;   // first vertex of a line loop whose run had to be broken
+    GLenum mode = GL_POINTS;        // of the open Begin
+    std::uint32_t open_first = 0;   // where its run starts
+    bool open = false;              // between Begin and End
+    std::vector<float> loop_start;  // first vertex of a line loop whose run had to be broken
 };
 
 // Hands the collected vertices to the pipeline; not between Begin and End. Throws std::bad_alloc.

@@ -1,7 +1,7 @@
 // Triangle set-up, 16 triangles at a time: orientation and culling, bounding boxes, planes and edges.
 //
-// Planes are the reference's operation for operation, from the unsnapped window positions; orientation and edges are
-// exact integers of the snapped ones (doc/reference.md §3).
+// Planes are the reference's operation for operation, from the unsnapped window positions; orientation and
+// edges are exact integers of the snapped ones (doc/reference.md §3).
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@ using raster::Primitive;
 TERRAZZO_INLINE Edge make_edge(int32_t ax, int32_t ay, int32_t bx, int32_t by, bool row0_is_top) {
     const int32_t dcdx = ay - by, dcdy = ax - bx;
     int64_t c = int64_t{dcdx} * ax - int64_t{dcdy} * ay;
-    // Pixels exactly on a left edge, or on the edge that is lower in GL's orientation, belong to the triangle.
+    // Pixels exactly on a left edge, or on the edge that is lower in GL's orientation, belong to the
+    // triangle.
     if (dcdx < 0 || (dcdx == 0 && (row0_is_top ? dcdy < 0 : dcdy > 0))) ++c;
     // E > 0 becomes E - 1 >= 0; then pixel steps, which are multiples of 256, let the low bits go.
     return {(c - 1) >> 8, -dcdx, dcdy};
@@ -65,12 +66,15 @@ TERRAZZO_INLINE void store_constant_plane(F32x16 value, int plane, PlaneArrays& 
 
 // Whether a varying is one of the colours, which flat shading and two-sided lighting treat apart.
 TERRAZZO_INLINE bool is_color(const raster::Varyings& v, int varying) {
-    const auto within = [&](int first, int count) { return first >= 0 && varying >= first && varying < first + count; };
+    const auto within = [&](int first, int count) {
+        return first >= 0 && varying >= first && varying < first + count;
+    };
     return within(v.color, 4) || within(v.secondary, 3);
 }
 
-inline void store_varyings(const TriangleSetup& setup, const ShadedVertices& vertices, const CornerIndices& index,
-                           const Corners& oow, const PlaneBasis& basis, Mask16 back_facing, PlaneArrays& planes) {
+inline void store_varyings(const TriangleSetup& setup, const ShadedVertices& vertices,
+                           const CornerIndices& index, const Corners& oow, const PlaneBasis& basis,
+                           Mask16 back_facing, PlaneArrays& planes) {
     const raster::Varyings& v = setup.state->varyings;
     const bool perspective = setup.state->key.perspective;
     for (int i = 0; i < v.count; ++i) {
@@ -78,7 +82,8 @@ inline void store_varyings(const TriangleSetup& setup, const ShadedVertices& ver
         Corners a = corners(vertices.column(kFirstVarying + i), index);
         if (color && setup.two_sided) {
             const Corners b = corners(vertices.column(kFirstVarying + v.count + i), index);
-            a = {select(back_facing, b.v0, a.v0), select(back_facing, b.v1, a.v1), select(back_facing, b.v2, a.v2)};
+            a = {select(back_facing, b.v0, a.v0), select(back_facing, b.v1, a.v1),
+                 select(back_facing, b.v2, a.v2)};
         }
         if (color && setup.flat) a.v0 = a.v1 = a.v2;
         if (perspective) a = {a.v0 * oow.v0, a.v1 * oow.v1, a.v2 * oow.v2};
@@ -102,8 +107,9 @@ struct SnappedTriangles {
     alignas(64) float offset[16];
 };
 
-TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTriangles& t, const PlaneArrays& planes,
-                                     int lane, bool back_facing, PrimitiveSink& sink) {
+TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTriangles& t,
+                                     const PlaneArrays& planes, int lane, bool back_facing,
+                                     PrimitiveSink& sink) {
     const int plane_count = 2 + setup.state->varyings.count;
     Primitive* const primitive = sink.allocate(sink, plane_count);
     if (primitive == nullptr) return;
@@ -118,7 +124,8 @@ TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTr
     primitive->depth_offset = t.offset[lane];
     for (int e = 0; e < 3; ++e) {
         const int next = e == 2 ? 0 : e + 1;
-        primitive->edges[e] = make_edge(t.x[e][lane], t.y[e][lane], t.x[next][lane], t.y[next][lane], setup.row0_is_top);
+        primitive->edges[e] =
+            make_edge(t.x[e][lane], t.y[e][lane], t.x[next][lane], t.y[next][lane], setup.row0_is_top);
     }
     float* out = primitive->planes();
     for (int part = 0; part < 3; ++part)
@@ -126,8 +133,8 @@ TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTr
     sink.commit(sink, *primitive);
 }
 
-inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& vertices, const TriangleBatch& batch,
-                            PrimitiveSink& sink) {
+inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& vertices,
+                            const TriangleBatch& batch, PrimitiveSink& sink) {
     CornerIndices index{load(batch.v0), load(batch.v1), load(batch.v2)};
     const int32_t* const snapped_x = vertices.integers(kSnappedX);
     const int32_t* const snapped_y = vertices.integers(kSnappedY);
@@ -135,7 +142,8 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
     I32x16 y0 = gather(snapped_y, index.v0), y1 = gather(snapped_y, index.v1);
     const I32x16 x2 = gather(snapped_x, index.v2), y2 = gather(snapped_y, index.v2);
 
-    // Positive: counter-clockwise in GL's upward y where rows count downwards, clockwise where they count upwards.
+    // Positive: counter-clockwise in GL's upward y where rows count downwards, clockwise where they count
+    // upwards.
     const F32x16 area = cross(x0 - x1, y2 - y0, x2 - x0, y0 - y1);
     const Mask16 positive = area > F32x16(0.0f), negative = area < F32x16(0.0f);
     const Mask16 counter_clockwise = setup.row0_is_top ? positive : negative;
@@ -170,8 +178,10 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
     if (alive == 0) return;
     store(box_x0, t.x0), store(box_y0, t.y0), store(box_x1, t.x1), store(box_y1, t.y1);
 
-    const Corners x = corners(vertices.column(kWindowX), index), y = corners(vertices.column(kWindowY), index);
-    PlaneBasis basis{x.v0 - x.v1, y.v0 - y.v1, x.v2 - x.v0, y.v2 - y.v0, x.v0 - F32x16(0.5f), y.v0 - F32x16(0.5f)};
+    const Corners x = corners(vertices.column(kWindowX), index),
+                  y = corners(vertices.column(kWindowY), index);
+    PlaneBasis basis{x.v0 - x.v1, y.v0 - y.v1,         x.v2 - x.v0,
+                     y.v2 - y.v0, x.v0 - F32x16(0.5f), y.v0 - F32x16(0.5f)};
     const F32x16 ooa = F32x16(1.0f) / (basis.dx01 * basis.dy20 - basis.dy01 * basis.dx20);
     basis.dx01 = basis.dx01 * ooa, basis.dy01 = basis.dy01 * ooa;
     basis.dx20 = basis.dx20 * ooa, basis.dy20 = basis.dy20 * ooa;

@@ -1,8 +1,9 @@
 // Vertices after the vertex program, as columns: one array a quantity, one element a vertex.
 //
-// Columns: clip coordinates, window coordinates (x, y, z, 1/w; y counts downwards for windows as the target's rows do),
-// snapped window x and y (integers, 8 sub-pixel bits, pixel centres at multiples of 256), the clip outcode, then the
-// varyings in the order of raster::Varyings and, where lighting is two-sided, the back colours (and secondary colours).
+// Columns: clip coordinates, window coordinates (x, y, z, 1/w; y counts downwards for windows as the target's
+// rows do), snapped window x and y (integers, 8 sub-pixel bits, pixel centres at multiples of 256), the clip
+// outcode, then the varyings in the order of raster::Varyings and, where lighting is two-sided, the back
+// colours (and secondary colours).
 #pragma once
 
 #include <cstdint>
@@ -11,9 +12,16 @@
 namespace terrazzo::pipeline {
 
 enum Column : int {
-    kClipX, kClipY, kClipZ, kClipW,
-    kWindowX, kWindowY, kWindowZ, kWindowOow,
-    kSnappedX, kSnappedY,
+    kClipX,
+    kClipY,
+    kClipZ,
+    kClipW,
+    kWindowX,
+    kWindowY,
+    kWindowZ,
+    kWindowOow,
+    kSnappedX,
+    kSnappedY,
     kOutcode,
     kEdgeFlagColumn,  // integers; written only where polygons may be drawn unfilled
     kFirstVarying,
@@ -21,7 +29,12 @@ enum Column : int {
 
 // Bits of the outcode: the six planes of the view volume in the order they are clipped, then the user's.
 enum Outcode : uint32_t {
-    kOutsideRight = 1, kOutsideLeft = 2, kOutsideTop = 4, kOutsideBottom = 8, kOutsideNear = 16, kOutsideFar = 32,
+    kOutsideRight = 1,
+    kOutsideLeft = 2,
+    kOutsideTop = 4,
+    kOutsideBottom = 8,
+    kOutsideNear = 16,
+    kOutsideFar = 32,
     kOutsideUser = 64,
 };
 

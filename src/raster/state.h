@@ -1,8 +1,9 @@
-// What a fragment goes through, as plain data: made by src/gl/validate.cpp, kept by the frame while draws are queued,
-// read by the pixel kernels. No GL enumerants here or below.
+// What a fragment goes through, as plain data: made by src/gl/validate.cpp, kept by the frame while draws are
+// queued, read by the pixel kernels. No GL enumerants here or below.
 //
-// FragmentKey holds every choice that selects code; FragmentState holds the key and the numbers. A kernel is either
-// an instance of the templates in pixel/ for one constant key or the general one that reads the key as it runs.
+// FragmentKey holds every choice that selects code; FragmentState holds the key and the numbers. A kernel is
+// either an instance of the templates in pixel/ for one constant key or the general one that reads the key as
+// it runs.
 #pragma once
 
 #include <array>
@@ -14,9 +15,27 @@ namespace terrazzo::raster {
 inline constexpr int kMaxTextureUnits = 8;
 inline constexpr int kMaxMipLevels = 15;
 
-enum class Compare : uint8_t { kNever, kLess, kEqual, kLessEqual, kGreater, kNotEqual, kGreaterEqual, kAlways };
+enum class Compare : uint8_t {
+    kNever,
+    kLess,
+    kEqual,
+    kLessEqual,
+    kGreater,
+    kNotEqual,
+    kGreaterEqual,
+    kAlways
+};
 
-enum class StencilOp : uint8_t { kKeep, kZero, kReplace, kIncrement, kDecrement, kInvert, kIncrementWrap, kDecrementWrap };
+enum class StencilOp : uint8_t {
+    kKeep,
+    kZero,
+    kReplace,
+    kIncrement,
+    kDecrement,
+    kInvert,
+    kIncrementWrap,
+    kDecrementWrap
+};
 
 enum class BlendFactor : uint8_t {
     kZero,
@@ -38,7 +57,8 @@ enum class BlendFactor : uint8_t {
 
 enum class BlendEquation : uint8_t { kAdd, kSubtract, kReverseSubtract, kMin, kMax };
 
-// The 16 operations of GL 1.5 table 4.2, numbered by their truth table: bit (2*s + d) is the result for bits s, d.
+// The 16 operations of GL 1.5 table 4.2, numbered by their truth table: bit (2*s + d) is the result for bits
+// s, d.
 using LogicOp = uint8_t;
 inline constexpr LogicOp kLogicCopy = 0b1100;
 
@@ -53,7 +73,8 @@ enum class Wrap : uint8_t { kRepeat, kClamp, kClampToEdge, kClampToBorder, kMirr
 enum class Filter : uint8_t { kNearest, kLinear };
 enum class MipFilter : uint8_t { kNone, kNearest, kLinear };
 
-// How texels lie in memory: four bytes R, G, B, A for every internal format of at most 8 bits a component, or four floats.
+// How texels lie in memory: four bytes R, G, B, A for every internal format of at most 8 bits a component, or
+// four floats.
 enum class TexelStorage : uint8_t { kRgba8, kRgba32F };
 
 // How colour lies in a tile: see Target.
@@ -92,7 +113,8 @@ struct TextureStage {
 enum class TextureKind : uint8_t {
     kNone,
     kGeneral,                // any number of units, each described by FragmentState::textures
-    kModulateBilinearRgba8,  // one 2D unit, REPEAT, LINEAR without mip levels, MODULATE of an RGB or RGBA texture
+    kModulateBilinearRgba8,  // one 2D unit, REPEAT, LINEAR without mip levels, MODULATE of an RGB or RGBA
+                             // texture
 };
 
 enum class BlendKind : uint8_t {
@@ -116,9 +138,9 @@ struct FragmentKey {
     BlendKind blend = BlendKind::kNone;
     bool logic_op = false;
     bool polygon_stipple = false;
-    bool perspective = true;           // some 1/w of the draw is not 1
-    bool interpolated_color = true;    // otherwise FragmentState::constant_color
-    bool separate_specular = false;    // a secondary colour is added after texturing
+    bool perspective = true;         // some 1/w of the draw is not 1
+    bool interpolated_color = true;  // otherwise FragmentState::constant_color
+    bool separate_specular = false;  // a secondary colour is added after texturing
     TextureKind texture = TextureKind::kNone;
 
     friend constexpr bool operator==(const FragmentKey&, const FragmentKey&) = default;
@@ -132,12 +154,12 @@ struct StencilFace {
 
 // Where each varying stands among a primitive's planes, counted in planes; -1 where it is absent.
 struct Varyings {
-    int8_t color = -1;                                // 4 planes r g b a
-    int8_t secondary = -1;                            // 3 planes
-    int8_t fog = -1;                                  // 1 plane: the distance
-    std::array<int8_t, kMaxTextureUnits> texture{};   // 2 planes s t, or 4 planes s t r q
-    uint8_t projective = 0;                           // bit u: unit u has 4 planes and divides by q
-    uint8_t count = 0;                                // planes in all, without z and 1/w
+    int8_t color = -1;                               // 4 planes r g b a
+    int8_t secondary = -1;                           // 3 planes
+    int8_t fog = -1;                                 // 1 plane: the distance
+    std::array<int8_t, kMaxTextureUnits> texture{};  // 2 planes s t, or 4 planes s t r q
+    uint8_t projective = 0;                          // bit u: unit u has 4 planes and divides by q
+    uint8_t count = 0;                               // planes in all, without z and 1/w
 
     constexpr Varyings() { texture.fill(-1); }
 };
@@ -170,8 +192,9 @@ struct FragmentState {
     float blend_color[4] = {};
     LogicOp logic_op = kLogicCopy;
     StencilFace stencil[2];  // front, back
-    const uint32_t* polygon_stipple = nullptr;  // 32 rows from the bottom, bit 31 leftmost; lives in the frame
-    int32_t target_height_for_stipple = 0;      // of a target whose row 0 is the top; 0 where row 0 is the bottom
+    const uint32_t* polygon_stipple =
+        nullptr;                            // 32 rows from the bottom, bit 31 leftmost; lives in the frame
+    int32_t target_height_for_stipple = 0;  // of a target whose row 0 is the top; 0 where row 0 is the bottom
 
     const TextureStage* textures = nullptr;  // texture_count of them; in the frame's memory
 };

@@ -1,8 +1,8 @@
 // Texture sampling (GL 1.5 §3.8.7-§3.8.8): the filtered texel of 16 pixels.
 //
-// Eight-bit textures that repeat or clamp to their edge are sampled in fixed point as the reference does it: coordinates
-// round(s * size * 256), weights of eight bits, each lerp rounded to eight bits, x before y. All others are sampled
-// in floats.
+// Eight-bit textures that repeat or clamp to their edge are sampled in fixed point as the reference does it:
+// coordinates round(s * size * 256), weights of eight bits, each lerp rounded to eight bits, x before y. All
+// others are sampled in floats.
 #pragma once
 
 #include "raster/pixel/color.h"
@@ -13,17 +13,19 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-// Two 16-bit numbers a lane: v0 + round(weight * (v1 - v0) / 256), both numbers of a lane with the lane's weight.
-// `weight` holds weight * 128 twice a lane, 0 <= weight < 256.
+// Two 16-bit numbers a lane: v0 + round(weight * (v1 - v0) / 256), both numbers of a lane with the lane's
+// weight. `weight` holds weight * 128 twice a lane, 0 <= weight < 256.
 TERRAZZO_INLINE I32x16 lerp_pairs(I32x16 v0, I32x16 v1, I32x16 weight) {
     I32x16 r;
 #if HWY_TARGET == HWY_SCALAR
     TERRAZZO_FOR_PARTS {
-        const uint32_t a = static_cast<uint32_t>(hn::GetLane(v0.part[p])), b = static_cast<uint32_t>(hn::GetLane(v1.part[p]));
+        const uint32_t a = static_cast<uint32_t>(hn::GetLane(v0.part[p])),
+                       b = static_cast<uint32_t>(hn::GetLane(v1.part[p]));
         const int32_t w = hn::GetLane(weight.part[p]) & 0xffff;
         uint32_t both = 0;
         for (int half = 0; half < 32; half += 16) {
-            const int32_t low = static_cast<int32_t>(a >> half & 0xffff), high = static_cast<int32_t>(b >> half & 0xffff);
+            const int32_t low = static_cast<int32_t>(a >> half & 0xffff),
+                          high = static_cast<int32_t>(b >> half & 0xffff);
             both |= static_cast<uint32_t>(low + ((w * (high - low) + 0x4000) >> 15)) << half;
         }
         r.part[p] = hn::Set(TagI(), static_cast<int32_t>(both));
@@ -60,7 +62,9 @@ TERRAZZO_INLINE I32x16 pair_weights(I32x16 weight) {
     return w | shift_left<16>(w);
 }
 
-TERRAZZO_INLINE bool is_power_of_two(int32_t n) { return (n & (n - 1)) == 0; }
+TERRAZZO_INLINE bool is_power_of_two(int32_t n) {
+    return (n & (n - 1)) == 0;
+}
 
 // One coordinate turned into the two texels it lies between, and the weight of the second in 256ths.
 struct FixedAxis {
@@ -77,7 +81,9 @@ TERRAZZO_INLINE I32x16 wrap_index(Wrap wrap, I32x16 i, int32_t size) {
     return clamp(i, I32x16(0), I32x16(size - 1));
 }
 
-TERRAZZO_INLINE F32x16 bounded(F32x16 v, float limit) { return clamp(v, F32x16(-limit), F32x16(limit)); }
+TERRAZZO_INLINE F32x16 bounded(F32x16 v, float limit) {
+    return clamp(v, F32x16(-limit), F32x16(limit));
+}
 
 TERRAZZO_INLINE FixedAxis fixed_axis(Wrap wrap, Filter filter, F32x16 coordinate, int32_t size) {
     if (wrap == Wrap::kRepeat && !is_power_of_two(size)) coordinate = coordinate - floor(coordinate);
@@ -103,8 +109,8 @@ TERRAZZO_INLINE I32x16 fetch_rgba8(const MipLevel& level, I32x16 x, I32x16 y) {
 }
 
 // Fixed-point sampling of one level of an eight-bit 2D texture.
-TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLevel& level, Filter filter, F32x16 s,
-                                           F32x16 t) {
+TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLevel& level, Filter filter,
+                                           F32x16 s, F32x16 t) {
     const FixedAxis x = fixed_axis(wrap_s, filter, s, level.width);
     const FixedAxis y = fixed_axis(wrap_t, filter, t, level.height);
     if (filter == Filter::kNearest) return split_pairs(fetch_rgba8(level, x.first, y.first));
@@ -116,7 +122,8 @@ TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLe
     return lerp_pairs(low, high, pair_weights(y.weight));
 }
 
-TERRAZZO_INLINE TexelPairs sample_fixed(const Sampler& sampler, const MipLevel& level, Filter filter, F32x16 s, F32x16 t) {
+TERRAZZO_INLINE TexelPairs sample_fixed(const Sampler& sampler, const MipLevel& level, Filter filter,
+                                        F32x16 s, F32x16 t) {
     if (sampler.dimensions == 2) return sample_fixed_2d(sampler.wrap_s, sampler.wrap_t, level, filter, s, t);
     const FixedAxis x = fixed_axis(sampler.wrap_s, filter, s, level.width);
     const I32x16 row(0);
@@ -165,7 +172,8 @@ TERRAZZO_INLINE FloatAxis float_axis(Wrap wrap, Filter filter, F32x16 coordinate
     return axis;
 }
 
-TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 x, I32x16 y, Mask16 inside) {
+TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 x, I32x16 y,
+                                  Mask16 inside) {
     const I32x16 index = y * I32x16(level.pitch) + x;
     Color c;
     if (sampler.storage == TexelStorage::kRgba8) {
@@ -174,10 +182,12 @@ TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level,
     } else {
         const float* const texels = static_cast<const float*>(level.texels);
         const I32x16 first = shift_left<2>(index);
-        c = {gather(texels, first), gather(texels + 1, first), gather(texels + 2, first), gather(texels + 3, first)};
+        c = {gather(texels, first), gather(texels + 1, first), gather(texels + 2, first),
+             gather(texels + 3, first)};
     }
     const float* const b = sampler.border_color;
-    return {select(inside, c.r, b[0]), select(inside, c.g, b[1]), select(inside, c.b, b[2]), select(inside, c.a, b[3])};
+    return {select(inside, c.r, b[0]), select(inside, c.g, b[1]), select(inside, c.b, b[2]),
+            select(inside, c.a, b[3])};
 }
 
 TERRAZZO_INLINE Color lerp(Color a, Color b, F32x16 t) {
@@ -211,8 +221,8 @@ inline Color sample_level(const Sampler& sampler, int level, Filter filter, F32x
     return {from_unorm8(c.r), from_unorm8(c.g), from_unorm8(c.b), from_unorm8(c.a)};
 }
 
-// log2 of the scale factor, one value for each 2x2 quad of the tile (GL 1.5 §3.8.8 with the reference's differences:
-// to the right and upwards from the quad's first pixel, log2 linear between powers of two).
+// log2 of the scale factor, one value for each 2x2 quad of the tile (GL 1.5 §3.8.8 with the reference's
+// differences: to the right and upwards from the quad's first pixel, log2 linear between powers of two).
 struct QuadLod {
     float lambda[4];
 };
@@ -242,7 +252,9 @@ inline QuadLod quad_lod(const Sampler& sampler, F32x16 s, F32x16 t) {
         }
         const float rho2 = rho_x > rho_y ? rho_x : rho_y;
         float lambda = 0.5f * fast_log2(rho2) + sampler.lod_bias;
-        lambda = lambda < sampler.min_lod ? sampler.min_lod : lambda > sampler.max_lod ? sampler.max_lod : lambda;
+        lambda = lambda < sampler.min_lod   ? sampler.min_lod
+                 : lambda > sampler.max_lod ? sampler.max_lod
+                                            : lambda;
         lod.lambda[q] = lambda;
     }
     return lod;
@@ -252,11 +264,13 @@ inline QuadLod quad_lod(const Sampler& sampler, F32x16 s, F32x16 t) {
 inline constexpr uint16_t kQuadMask[4] = {0x0033, 0x00cc, 0x3300, 0xcc00};
 
 TERRAZZO_INLINE Color select(Mask16 mask, const Color& yes, const Color& no) {
-    return {select(mask, yes.r, no.r), select(mask, yes.g, no.g), select(mask, yes.b, no.b), select(mask, yes.a, no.a)};
+    return {select(mask, yes.r, no.r), select(mask, yes.g, no.g), select(mask, yes.b, no.b),
+            select(mask, yes.a, no.a)};
 }
 
 // Mip-mapped minification of the quads in `minified`, by distinct level.
-inline Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16 s, F32x16 t, uint32_t active) {
+inline Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16 s, F32x16 t,
+                              uint32_t active) {
     const int last = sampler.level_count - 1;
     Color result{0.0f, 0.0f, 0.0f, 0.0f};
     uint32_t todo = active;
@@ -266,11 +280,14 @@ inline Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16
         int level;
         uint32_t same = kQuadMask[q];
         if (sampler.mip_filter == MipFilter::kNearest) {
-            const auto nearest = [&](float l) { return std::clamp(static_cast<int>(std::floor(l + 0.5f)), 0, last); };
+            const auto nearest = [&](float l) {
+                return std::clamp(static_cast<int>(std::floor(l + 0.5f)), 0, last);
+            };
             level = nearest(lambda);
             for (int other = q + 1; other < 4; ++other)
                 if (nearest(lod.lambda[other]) == level) same |= kQuadMask[other];
-            result = select(mask_from_bits(same), sample_level(sampler, level, sampler.min_filter, s, t), result);
+            result =
+                select(mask_from_bits(same), sample_level(sampler, level, sampler.min_filter, s, t), result);
         } else {
             const auto below = [&](float l) { return std::clamp(static_cast<int>(std::floor(l)), 0, last); };
             level = below(lambda);
@@ -287,8 +304,10 @@ inline Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16
             const int next = std::min(level + 1, last);
             Color mixed;
             if (samples_fixed(sampler)) {
-                const TexelPairs a = sample_fixed(sampler, sampler.levels[static_cast<size_t>(level)], sampler.min_filter, s, t);
-                const TexelPairs b = sample_fixed(sampler, sampler.levels[static_cast<size_t>(next)], sampler.min_filter, s, t);
+                const TexelPairs a = sample_fixed(sampler, sampler.levels[static_cast<size_t>(level)],
+                                                  sampler.min_filter, s, t);
+                const TexelPairs b = sample_fixed(sampler, sampler.levels[static_cast<size_t>(next)],
+                                                  sampler.min_filter, s, t);
                 const Color8 c = to_color8(lerp_pairs(a, b, pair_weights(truncate_to_int(load(weights)))));
                 mixed = {from_unorm8(c.r), from_unorm8(c.g), from_unorm8(c.b), from_unorm8(c.a)};
             } else {
@@ -305,7 +324,8 @@ inline Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16
 
 // The filtered texel at texture coordinates (s, t) of each pixel in `mask`.
 inline Color sample_texture(const Sampler& sampler, F32x16 s, F32x16 t, uint32_t mask) {
-    const bool filters_agree = sampler.mip_filter == MipFilter::kNone && sampler.min_filter == sampler.mag_filter;
+    const bool filters_agree =
+        sampler.mip_filter == MipFilter::kNone && sampler.min_filter == sampler.mag_filter;
     if (filters_agree) return sample_level(sampler, 0, sampler.mag_filter, s, t);
     const QuadLod lod = quad_lod(sampler, s, t);
     uint32_t magnified = 0;

@@ -1,5 +1,6 @@
-// The walk of one primitive's fragments from coverage to the tile, stage after stage in GL's order. Every kernel is this
-// function: with a constant key its branches fold away, with a run-time key it serves all state.
+// The walk of one primitive's fragments from coverage to the tile, stage after stage in GL's order. Every
+// kernel is this function: with a constant key its branches fold away, with a run-time key it serves all
+// state.
 #pragma once
 
 #include "raster/half_space.h"
@@ -42,28 +43,34 @@ TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const I
 }
 
 // One 2D unit, REPEAT, LINEAR without mip levels, MODULATE, 8-bit texels: the hot case of textured scenes.
-TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interpolator& at, F32x16 w, const Color& f) {
+TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interpolator& at, F32x16 w,
+                                        const Color& f) {
     const TextureStage& stage = state.textures[0];
     const int first = state.varyings.texture[stage.unit];
-    const Color8 texel = to_color8(sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, stage.sampler.levels[0],
-                                                   Filter::kLinear, at.varying(first) * w, at.varying(first + 1) * w));
+    const Color8 texel =
+        to_color8(sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, stage.sampler.levels[0], Filter::kLinear,
+                                  at.varying(first) * w, at.varying(first + 1) * w));
     const Color t{from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
     return {f.r * t.r, f.g * t.g, f.b * t.b, stage.base_format == BaseFormat::kRgb ? f.a : f.a * t.a};
 }
 
-inline Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w, Color color, uint32_t mask) {
+inline Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w, Color color,
+                            uint32_t mask) {
     for (int i = 0; i < state.texture_count; ++i) {
         const TextureStage& stage = state.textures[i];
         const int first = state.varyings.texture[stage.unit];
-        const F32x16 scale = state.varyings.projective >> stage.unit & 1 ? F32x16(1.0f) / at.varying(first + 3) : w;
-        const Color texel = sample_texture(stage.sampler, at.varying(first) * scale, at.varying(first + 1) * scale, mask);
+        const F32x16 scale =
+            state.varyings.projective >> stage.unit & 1 ? F32x16(1.0f) / at.varying(first + 3) : w;
+        const Color texel =
+            sample_texture(stage.sampler, at.varying(first) * scale, at.varying(first + 1) * scale, mask);
         color = combine(stage, color, texel);
     }
     return color;
 }
 
 template <class Key>
-TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const Interpolator& at, uint32_t mask) {
+TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const Interpolator& at,
+                                     uint32_t mask) {
     const FragmentKey& k = key.value;
     const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
     Color color = primary_color(key, state, at, w);
@@ -93,7 +100,8 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
         at.move_to(x, y);
         if (k.polygon_stipple) {
             const int up = state.target_height_for_stipple;
-            mask &= up > 0 ? stipple_mask(state.polygon_stipple, x, up - 1 - y, -1) : stipple_mask(state.polygon_stipple, x, y, 1);
+            mask &= up > 0 ? stipple_mask(state.polygon_stipple, x, up - 1 - y, -1)
+                           : stipple_mask(state.polygon_stipple, x, y, 1);
             if (mask == 0) continue;
         }
         if (early && (k.depth_test || k.stencil_test)) {
