@@ -36,8 +36,8 @@ bool is_index_type(GLenum type) {
 }
 
 bool check_draw(Context& ctx, GLenum mode, GLsizei count) {
-    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive"), false;
-    if (count < 0) return record_error(ctx, GL_INVALID_VALUE, "count is negative"), false;
+    if (mode > GL_POLYGON) return Compile::error(ctx, GL_INVALID_ENUM, "no such primitive"), false;
+    if (count < 0) return Compile::error(ctx, GL_INVALID_VALUE, "count is negative"), false;
     const ClientArray& vertex = ctx.arrays.vertex;
     return vertex.enabled && vertex.pointer != nullptr;
 }
@@ -49,7 +49,7 @@ void Compile::ArrayElement(Context& ctx, GLint i) {
 }
 
 void Compile::DrawArrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
-    if (first < 0) return record_error(ctx, GL_INVALID_VALUE, "first is negative");
+    if (first < 0) return Compile::error(ctx, GL_INVALID_VALUE, "first is negative");
     if (!check_draw(ctx, mode, count)) return;
     Compile::Begin(ctx, mode);
     for (GLsizei i = 0; i < count; ++i) record_element(ctx, first + i);
@@ -57,7 +57,7 @@ void Compile::DrawArrays(Context& ctx, GLenum mode, GLint first, GLsizei count) 
 }
 
 void Compile::DrawElements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const void* indices) {
-    if (!is_index_type(type)) return record_error(ctx, GL_INVALID_ENUM, "no type of indices");
+    if (!is_index_type(type)) return Compile::error(ctx, GL_INVALID_ENUM, "no type of indices");
     if (!check_draw(ctx, mode, count) || indices == nullptr) return;
     Compile::Begin(ctx, mode);
     for (GLsizei i = 0; i < count; ++i) record_element(ctx, static_cast<GLint>(index_at(indices, type, i)));
@@ -66,20 +66,20 @@ void Compile::DrawElements(Context& ctx, GLenum mode, GLsizei count, GLenum type
 
 void Compile::DrawRangeElements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count,
                                 GLenum type, const void* indices) {
-    if (end < start) return record_error(ctx, GL_INVALID_VALUE, "end is before start");
+    if (end < start) return Compile::error(ctx, GL_INVALID_VALUE, "end is before start");
     DrawElements(ctx, mode, count, type, indices);
 }
 
 void Compile::MultiDrawArrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count,
                               GLsizei drawcount) {
-    if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    if (drawcount < 0) return Compile::error(ctx, GL_INVALID_VALUE, "drawcount is negative");
     for (GLsizei i = 0; i < drawcount; ++i)
         if (count[i] > 0) DrawArrays(ctx, mode, first[i], count[i]);
 }
 
 void Compile::MultiDrawElements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type,
                                 const void* const* indices, GLsizei drawcount) {
-    if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    if (drawcount < 0) return Compile::error(ctx, GL_INVALID_VALUE, "drawcount is negative");
     for (GLsizei i = 0; i < drawcount; ++i)
         if (count[i] > 0) DrawElements(ctx, mode, count[i], type, indices[i]);
 }
