@@ -31,11 +31,7 @@ json play_seed(const kit::Library& library, unsigned seed) {
         const std::string command = player.play();
         const GLenum error = library.gl.GetError();
         std::vector<std::string> after = dump_state(library.gl);
-        std::vector<std::string> changed;
-        for (std::size_t line = 0; line < after.size(); ++line) {
-            if (after[line] != before[line]) changed.push_back(after[line]);
-        }
-        steps.push_back({{"command", command}, {"error", error}, {"changed", changed}});
+        steps.push_back({{"command", command}, {"error", error}, {"changed", changed(before, after)}});
         before = std::move(after);
     }
     return steps;

@@ -314,4 +314,13 @@ std::vector<std::string> dump_state(const kit::Gl& gl) {
     return dump;
 }
 
+std::vector<std::string> changed(const std::vector<std::string>& before,
+                                 const std::vector<std::string>& after) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (after[i] != before[i]) lines.push_back(after[i]);
+    }
+    return lines;
+}
+
 }  // namespace terrazzo::test

@@ -11,4 +11,8 @@ namespace terrazzo::test {
 
 std::vector<std::string> dump_state(const kit::Gl& gl);
 
+// The lines of `after` that `before`, another dump, does not have.
+std::vector<std::string> changed(const std::vector<std::string>& before,
+                                 const std::vector<std::string>& after);
+
 }  // namespace terrazzo::test

@@ -1,0 +1,204 @@
+// Every error rule of the state commands: the code that GL 1.5 names, and nothing changed.
+#include <gmock/gmock.h>
+
+#include <functional>
+
+#include "state_fixture.h"
+
+namespace terrazzo::test {
+namespace {
+
+struct BadCall {
+    const char* text;
+    GLenum error;
+    std::function<void(const kit::Gl& gl)> call;
+};
+
+const GLfloat kVector[4] = {1, 2, 3, 4};
+const GLdouble kPlane[4] = {1, 2, 3, 4};
+
+const BadCall kBadCalls[] = {
+    {"Enable", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_TRIANGLES); }},
+    {"Enable of a client array", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_VERTEX_ARRAY); }},
+    {"Disable", GL_INVALID_ENUM, [](auto& gl) { gl.Disable(0xdead); }},
+    {"Enable of a light too many", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_LIGHT0 + 8); }},
+    {"Enable of a clip plane too many", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_CLIP_PLANE0 + 6); }},
+    {"IsEnabled", GL_INVALID_ENUM, [](auto& gl) { gl.IsEnabled(GL_COPY); }},
+
+    {"MatrixMode", GL_INVALID_ENUM, [](auto& gl) { gl.MatrixMode(GL_COLOR_MATERIAL); }},
+    {"PopMatrix of the last one", GL_STACK_UNDERFLOW, [](auto& gl) { gl.PopMatrix(); }},
+    {"Frustum, near = 0", GL_INVALID_VALUE, [](auto& gl) { gl.Frustum(-1, 1, -1, 1, 0, 1); }},
+    {"Frustum, far < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Frustum(-1, 1, -1, 1, 1, -1); }},
+    {"Frustum, near = far", GL_INVALID_VALUE, [](auto& gl) { gl.Frustum(-1, 1, -1, 1, 2, 2); }},
+    {"Frustum, left = right", GL_INVALID_VALUE, [](auto& gl) { gl.Frustum(1, 1, -1, 1, 1, 2); }},
+    {"Frustum, bottom = top", GL_INVALID_VALUE, [](auto& gl) { gl.Frustum(-1, 1, 1, 1, 1, 2); }},
+    {"Ortho, near = far", GL_INVALID_VALUE, [](auto& gl) { gl.Ortho(-1, 1, -1, 1, 2, 2); }},
+    {"Ortho, left = right", GL_INVALID_VALUE, [](auto& gl) { gl.Ortho(1, 1, -1, 1, 1, 2); }},
+    {"Ortho, bottom = top", GL_INVALID_VALUE, [](auto& gl) { gl.Ortho(-1, 1, 1, 1, 1, 2); }},
+    {"ClipPlane", GL_INVALID_ENUM, [](auto& gl) { gl.ClipPlane(GL_CLIP_PLANE0 + 6, kPlane); }},
+    {"ClipPlane of null", GL_INVALID_VALUE, [](auto& gl) { gl.ClipPlane(GL_CLIP_PLANE0, nullptr); }},
+    {"Viewport, width < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Viewport(0, 0, -1, 1); }},
+    {"Viewport, height < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Viewport(0, 0, 1, -1); }},
+
+    {"Light of a light too many", GL_INVALID_ENUM,
+     [](auto& gl) { gl.Lightfv(GL_LIGHT0 + 8, GL_AMBIENT, kVector); }},
+    {"Light", GL_INVALID_ENUM, [](auto& gl) { gl.Lightfv(GL_LIGHT0, GL_SHININESS, kVector); }},
+    {"Light of a scalar for a vector", GL_INVALID_ENUM,
+     [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_AMBIENT, 1); }},
+    {"Light, exponent < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_EXPONENT, -1); }},
+    {"Light, exponent > 128", GL_INVALID_VALUE,
+     [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_EXPONENT, 129); }},
+    {"Light, cutoff < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_CUTOFF, -1); }},
+    {"Light, cutoff 91", GL_INVALID_VALUE, [](auto& gl) { gl.Lighti(GL_LIGHT0, GL_SPOT_CUTOFF, 91); }},
+    {"Light, attenuation < 0", GL_INVALID_VALUE,
+     [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, -0.1f); }},
+    {"LightModel", GL_INVALID_ENUM, [](auto& gl) { gl.LightModelf(GL_AMBIENT, 1); }},
+    {"LightModel of a scalar for a vector", GL_INVALID_ENUM,
+     [](auto& gl) { gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 1); }},
+    {"LightModel, colour control", GL_INVALID_ENUM,
+     [](auto& gl) { gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_TRUE); }},
+    {"Material, face", GL_INVALID_ENUM, [](auto& gl) { gl.Materialfv(GL_LEFT, GL_AMBIENT, kVector); }},
+    {"Material", GL_INVALID_ENUM, [](auto& gl) { gl.Materialfv(GL_FRONT, GL_POSITION, kVector); }},
+    {"Material of a scalar for a vector", GL_INVALID_ENUM,
+     [](auto& gl) { gl.Materialf(GL_FRONT, GL_AMBIENT, 1); }},
+    {"Material, shininess < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Materialf(GL_FRONT, GL_SHININESS, -1); }},
+    {"Material, shininess > 128", GL_INVALID_VALUE,
+     [](auto& gl) { gl.Materialf(GL_FRONT, GL_SHININESS, 129); }},
+    {"ColorMaterial, face", GL_INVALID_ENUM, [](auto& gl) { gl.ColorMaterial(GL_LEFT, GL_AMBIENT); }},
+    {"ColorMaterial, mode", GL_INVALID_ENUM, [](auto& gl) { gl.ColorMaterial(GL_FRONT, GL_SHININESS); }},
+    {"ShadeModel", GL_INVALID_ENUM, [](auto& gl) { gl.ShadeModel(GL_LINEAR); }},
+
+    {"PointSize 0", GL_INVALID_VALUE, [](auto& gl) { gl.PointSize(0); }},
+    {"PointSize < 0", GL_INVALID_VALUE, [](auto& gl) { gl.PointSize(-1); }},
+    {"LineWidth 0", GL_INVALID_VALUE, [](auto& gl) { gl.LineWidth(0); }},
+    {"LineWidth NaN", GL_INVALID_VALUE, [](auto& gl) { gl.LineWidth(__builtin_nanf("")); }},
+    {"PolygonMode, face", GL_INVALID_ENUM, [](auto& gl) { gl.PolygonMode(GL_LEFT, GL_FILL); }},
+    {"PolygonMode, mode", GL_INVALID_ENUM, [](auto& gl) { gl.PolygonMode(GL_FRONT, GL_SMOOTH); }},
+    {"CullFace", GL_INVALID_ENUM, [](auto& gl) { gl.CullFace(GL_CW); }},
+    {"FrontFace", GL_INVALID_ENUM, [](auto& gl) { gl.FrontFace(GL_FRONT); }},
+    {"PolygonStipple of null", GL_INVALID_VALUE, [](auto& gl) { gl.PolygonStipple(nullptr); }},
+
+    {"Fog", GL_INVALID_ENUM, [](auto& gl) { gl.Fogf(GL_AMBIENT, 1); }},
+    {"Fog of a scalar for a vector", GL_INVALID_ENUM, [](auto& gl) { gl.Fogf(GL_FOG_COLOR, 1); }},
+    {"Fog, mode", GL_INVALID_ENUM, [](auto& gl) { gl.Fogi(GL_FOG_MODE, GL_NEAREST); }},
+    {"Fog, density < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Fogf(GL_FOG_DENSITY, -1); }},
+
+    {"TexEnv, target", GL_INVALID_ENUM,
+     [](auto& gl) { gl.TexEnvi(GL_TEXTURE_2D, GL_TEXTURE_ENV_MODE, GL_DECAL); }},
+    {"TexEnv", GL_INVALID_ENUM, [](auto& gl) { gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_WRAP_S, GL_DECAL); }},
+    {"TexEnv, mode", GL_INVALID_ENUM,
+     [](auto& gl) { gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_LINEAR); }},
+    {"TexGen, coordinate", GL_INVALID_ENUM,
+     [](auto& gl) { gl.TexGeni(GL_Q + 1, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR); }},
+    {"TexGen", GL_INVALID_ENUM, [](auto& gl) { gl.TexGeni(GL_S, GL_TEXTURE_ENV_MODE, GL_EYE_LINEAR); }},
+    {"TexGen, mode", GL_INVALID_ENUM, [](auto& gl) { gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_LINEAR); }},
+    {"TexGen, sphere map for r", GL_INVALID_ENUM,
+     [](auto& gl) { gl.TexGeni(GL_R, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP); }},
+    {"TexGen of a scalar for a plane", GL_INVALID_ENUM, [](auto& gl) { gl.TexGenf(GL_S, GL_EYE_PLANE, 1); }},
+
+    {"Scissor, width < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Scissor(0, 0, -1, 1); }},
+    {"Scissor, height < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Scissor(0, 0, 1, -1); }},
+    {"AlphaFunc", GL_INVALID_ENUM, [](auto& gl) { gl.AlphaFunc(GL_ONE, 0.5f); }},
+    {"StencilFunc", GL_INVALID_ENUM, [](auto& gl) { gl.StencilFunc(GL_KEEP, 1, 1); }},
+    {"StencilOp, fail", GL_INVALID_ENUM, [](auto& gl) { gl.StencilOp(GL_LESS, GL_ZERO, GL_ZERO); }},
+    {"StencilOp, depth fail", GL_INVALID_ENUM, [](auto& gl) { gl.StencilOp(GL_ZERO, GL_LESS, GL_ZERO); }},
+    {"StencilOp, pass", GL_INVALID_ENUM, [](auto& gl) { gl.StencilOp(GL_ZERO, GL_ZERO, GL_LESS); }},
+    {"DepthFunc", GL_INVALID_ENUM, [](auto& gl) { gl.DepthFunc(GL_KEEP); }},
+    {"BlendFunc, source", GL_INVALID_ENUM, [](auto& gl) { gl.BlendFunc(GL_LESS, GL_ONE); }},
+    {"BlendFunc, destination", GL_INVALID_ENUM, [](auto& gl) { gl.BlendFunc(GL_ZERO, GL_LESS); }},
+    {"LogicOp", GL_INVALID_ENUM, [](auto& gl) { gl.LogicOp(GL_SET + 1); }},
+    {"DrawBuffer", GL_INVALID_ENUM, [](auto& gl) { gl.DrawBuffer(GL_RGBA); }},
+    {"DrawBuffer of one that is not there", GL_INVALID_OPERATION, [](auto& gl) { gl.DrawBuffer(GL_AUX0); }},
+    {"ReadBuffer", GL_INVALID_ENUM, [](auto& gl) { gl.ReadBuffer(GL_RGBA); }},
+    {"ReadBuffer of one that is not there", GL_INVALID_OPERATION, [](auto& gl) { gl.ReadBuffer(GL_RIGHT); }},
+    {"Hint, target", GL_INVALID_ENUM, [](auto& gl) { gl.Hint(GL_FOG, GL_NICEST); }},
+    {"Hint, mode", GL_INVALID_ENUM, [](auto& gl) { gl.Hint(GL_FOG_HINT, GL_LINEAR); }},
+
+    {"PopAttrib of nothing", GL_STACK_UNDERFLOW, [](auto& gl) { gl.PopAttrib(); }},
+    {"PopClientAttrib of nothing", GL_STACK_UNDERFLOW, [](auto& gl) { gl.PopClientAttrib(); }},
+};
+
+class StateErrors : public StateTest {};
+
+TEST_F(StateErrors, RecordTheCodeOfTheSpecificationAndChangeNothing) {
+    const auto before = dump();
+    for (const BadCall& bad : kBadCalls) {
+        bad.call(gl);
+        EXPECT_EQ(take_error(), bad.error) << bad.text;
+    }
+    EXPECT_THAT(changed(before, dump()), testing::IsEmpty());
+}
+
+TEST_F(StateErrors, QueriesWriteNothing) {
+    GLfloat floats[16];
+    GLint integers[16];
+    GLdouble doubles[16];
+    GLboolean booleans[16];
+    std::fill_n(floats, 16, 77.0f);
+    std::fill_n(integers, 16, 77);
+    std::fill_n(doubles, 16, 77.0);
+    std::fill_n(booleans, 16, GLboolean{77});
+    const std::function<void()> queries[] = {
+        [&] { gl.GetFloatv(GL_TRIANGLES, floats); },
+        [&] { gl.GetIntegerv(GL_TRIANGLES, integers); },
+        [&] { gl.GetDoublev(0xdead, doubles); },
+        [&] { gl.GetBooleanv(GL_ONE, booleans); },
+        [&] { gl.GetLightfv(GL_LIGHT0 + 8, GL_AMBIENT, floats); },
+        [&] { gl.GetLightiv(GL_LIGHT0, GL_EMISSION, integers); },
+        [&] { gl.GetMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, floats); },
+        [&] { gl.GetMaterialiv(GL_FRONT, GL_POSITION, integers); },
+        [&] { gl.GetTexEnvfv(GL_TEXTURE_2D, GL_TEXTURE_ENV_MODE, floats); },
+        [&] { gl.GetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_WRAP_S, integers); },
+        [&] { gl.GetTexGendv(GL_S, GL_TEXTURE_ENV_MODE, doubles); },
+        [&] { gl.GetTexGeniv(GL_Q + 1, GL_EYE_PLANE, integers); },
+        [&] { gl.GetClipPlane(GL_CLIP_PLANE0 + 6, doubles); },
+    };
+    for (const auto& query : queries) {
+        query();
+        EXPECT_EQ(take_error(), GLenum{GL_INVALID_ENUM});
+    }
+    EXPECT_EQ(std::count(floats, floats + 16, 77.0f), 16);
+    EXPECT_EQ(std::count(integers, integers + 16, 77), 16);
+    EXPECT_EQ(std::count(doubles, doubles + 16, 77.0), 16);
+    EXPECT_EQ(std::count(booleans, booleans + 16, GLboolean{77}), 16);
+}
+
+TEST_F(StateErrors, MatrixStacksOverflowAtTheDepthTheyPromise) {
+    struct Stack {
+        GLenum mode, limit, depth;
+    };
+    for (const Stack& stack : {Stack{GL_MODELVIEW, GL_MAX_MODELVIEW_STACK_DEPTH, GL_MODELVIEW_STACK_DEPTH},
+                               Stack{GL_PROJECTION, GL_MAX_PROJECTION_STACK_DEPTH, GL_PROJECTION_STACK_DEPTH},
+                               Stack{GL_TEXTURE, GL_MAX_TEXTURE_STACK_DEPTH, GL_TEXTURE_STACK_DEPTH}}) {
+        gl.MatrixMode(stack.mode);
+        const GLint limit = integer(stack.limit);
+        for (GLint depth = 1; depth < limit; ++depth) gl.PushMatrix();
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+        gl.Translatef(1, 2, 3);
+        const auto before = dump();
+        gl.PushMatrix();
+        EXPECT_EQ(take_error(), GLenum{GL_STACK_OVERFLOW});
+        EXPECT_THAT(changed(before, dump()), testing::IsEmpty());
+        EXPECT_EQ(integer(stack.depth), limit);
+        for (GLint depth = 1; depth < limit; ++depth) gl.PopMatrix();
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+        gl.PopMatrix();
+        EXPECT_EQ(take_error(), GLenum{GL_STACK_UNDERFLOW});
+    }
+}
+
+TEST_F(StateErrors, AttributeStacksOverflowAtTheDepthTheyPromise) {
+    for (GLint i = integer(GL_MAX_ATTRIB_STACK_DEPTH); i > 0; --i) gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+    for (GLint i = integer(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH); i > 0; --i) {
+        gl.PushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    }
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    gl.PushAttrib(GL_FOG_BIT);
+    EXPECT_EQ(take_error(), GLenum{GL_STACK_OVERFLOW});
+    gl.PushClientAttrib(0);
+    EXPECT_EQ(take_error(), GLenum{GL_STACK_OVERFLOW});
+    EXPECT_EQ(integer(GL_ATTRIB_STACK_DEPTH), integer(GL_MAX_ATTRIB_STACK_DEPTH));
+}
+
+}  // namespace
+}  // namespace terrazzo::test
