@@ -37,11 +37,12 @@ struct Name {
 
 // The following convert to, or are, functions of whatever type the dispatch table's member has.
 
-// A command that is not allowed between Begin and End (GL 1.5 §2.6.3).
-struct IllegalInsideBeginEnd {
+// A command that is not allowed where it is called: between Begin and End, or outside (GL 1.5 §2.6.3).
+template <Name kRule>
+struct Illegal {
     template <typename Result, typename... Arguments>
     static Result call(Context* ctx, Arguments...) noexcept {
-        record_error(*ctx, GL_INVALID_OPERATION, "not allowed between glBegin and glEnd");
+        record_error(*ctx, GL_INVALID_OPERATION, kRule.text);
         return Result();
     }
     template <typename Result, typename... Arguments>
@@ -49,7 +50,8 @@ struct IllegalInsideBeginEnd {
         return &call<Result, Arguments...>;
     }
 };
-inline constexpr IllegalInsideBeginEnd illegal_inside_begin_end;
+inline constexpr Illegal<"not allowed between glBegin and glEnd"> illegal_inside_begin_end;
+inline constexpr Illegal<"not allowed outside glBegin and glEnd"> illegal_outside_begin_end;
 
 // A command without effect where it is called, such as Vertex outside Begin and End.
 struct Ignored {

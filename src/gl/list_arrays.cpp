@@ -1,29 +1,13 @@
 // Vertex arrays in display lists (GL 1.5 §5.4): the arrays are read when the list is compiled, and what they
-// hold is recorded as the Begin, attribute and End commands that draw the same.
-#include <vector>
+// hold is recorded as a batch of primitives of its own.
+#include <utility>
 
 #include "gl/context.h"
 #include "gl/generated/compile.h"
+#include "gl/list_recorder.h"
 
 namespace terrazzo::gl {
 namespace {
-
-void record_element(Context& ctx, GLint i) {
-    for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
-        switch (attribute) {
-            case pipeline::kNormal:
-                return Compile::Normal3f(ctx, v[0], v[1], v[2]);
-            case pipeline::kColor:
-                return Compile::Color4f(ctx, v[0], v[1], v[2], v[3]);
-            case pipeline::kEdgeFlag:
-                return Compile::EdgeFlag(ctx, v[0] != 0);
-            case pipeline::kTexture0:
-                return Compile::TexCoord4f(ctx, v[0], v[1], v[2], v[3]);
-            case pipeline::kPosition:
-                return Compile::Vertex4f(ctx, v[0], v[1], v[2], v[3]);
-        }
-    });
-}
 
 GLuint index_at(const void* indices, GLenum type, GLsizei i) {
     if (type == GL_UNSIGNED_BYTE) return static_cast<const GLubyte*>(indices)[i];
@@ -35,53 +19,113 @@ bool is_index_type(GLenum type) {
     return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
 }
 
-bool check_draw(Context& ctx, GLenum mode, GLsizei count) {
-    if (mode > GL_POLYGON) return Compile::error(ctx, GL_INVALID_ENUM, "no such primitive"), false;
-    if (count < 0) return Compile::error(ctx, GL_INVALID_VALUE, "count is negative"), false;
-    const ClientArray& vertex = ctx.arrays.vertex;
-    return vertex.enabled && vertex.pointer != nullptr;
+// The error that a draw of arrays makes whenever the list is called; GL_NO_ERROR and "" for none.
+std::pair<GLenum, const char*> error_of_draw(const Context& ctx, GLenum mode, GLsizei count) {
+    if (ctx.lists.vertices.open()) return {GL_INVALID_OPERATION, "not allowed between glBegin and glEnd"};
+    if (mode > GL_POLYGON) return {GL_INVALID_ENUM, "no such primitive"};
+    if (count < 0) return {GL_INVALID_VALUE, "count is negative"};
+    return {GL_NO_ERROR, ""};
+}
+
+bool has_vertices(const Context& ctx) {
+    return ctx.arrays.vertex.enabled && ctx.arrays.vertex.pointer != nullptr;
+}
+
+// Records a run whose vertices are the array elements that `element` names.
+template <typename Element>
+void record_arrays(Context& ctx, GLenum mode, GLsizei count, Element element) {
+    if (count == 0 || !has_vertices(ctx)) return;
+    record(ctx, [&](DisplayList& list) {
+        ListVertices& vertices = ctx.lists.vertices;
+        vertices.begin_arrays(list, mode);
+        for (GLsizei i = 0; i < count; ++i) {
+            for_each_enabled_array(ctx.arrays, element(i),
+                                   [&](int attribute, const std::array<GLfloat, 4>& value) {
+                                       if (attribute == pipeline::kPosition)
+                                           vertices.vertex(list, value);
+                                       else
+                                           vertices.attribute(list, attribute, value);
+                                   });
+        }
+        vertices.end_arrays(list);
+    });
+}
+
+void record_draw_arrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
+    if (first < 0) return record_list_error(ctx, GL_INVALID_VALUE, "first is negative");
+    const auto [error, rule] = error_of_draw(ctx, mode, count);
+    if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
+    record_arrays(ctx, mode, count, [&](GLsizei i) {
+        return static_cast<GLint>(static_cast<GLuint>(first) + static_cast<GLuint>(i));
+    });
+}
+
+void record_draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+    if (!is_index_type(type)) return record_list_error(ctx, GL_INVALID_ENUM, "no type of indices");
+    const auto [error, rule] = error_of_draw(ctx, mode, count);
+    if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
+    if (!indices) return;
+    record_arrays(ctx, mode, count,
+                  [&](GLsizei i) { return static_cast<GLint>(index_at(indices, type, i)); });
 }
 
 }  // namespace
 
 void Compile::ArrayElement(Context& ctx, GLint i) {
-    record_element(ctx, i);
+    for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
+        switch (attribute) {
+            case pipeline::kNormal:
+                return Normal3f(ctx, v[0], v[1], v[2]);
+            case pipeline::kColor:
+                return Color4f(ctx, v[0], v[1], v[2], v[3]);
+            case pipeline::kEdgeFlag:
+                return EdgeFlag(ctx, v[0] != 0);
+            case pipeline::kTexture0:
+                return TexCoord4f(ctx, v[0], v[1], v[2], v[3]);
+            case pipeline::kPosition:
+                return Vertex4f(ctx, v[0], v[1], v[2], v[3]);
+        }
+    });
 }
 
 void Compile::DrawArrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
-    if (first < 0) return Compile::error(ctx, GL_INVALID_VALUE, "first is negative");
-    if (!check_draw(ctx, mode, count)) return;
-    Compile::Begin(ctx, mode);
-    for (GLsizei i = 0; i < count; ++i) record_element(ctx, first + i);
-    Compile::End(ctx);
+    record_draw_arrays(ctx, mode, first, count);
+    if (ctx.lists.execute_too) ctx.dispatch.execute->DrawArrays(&ctx, mode, first, count);
 }
 
 void Compile::DrawElements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const void* indices) {
-    if (!is_index_type(type)) return Compile::error(ctx, GL_INVALID_ENUM, "no type of indices");
-    if (!check_draw(ctx, mode, count) || indices == nullptr) return;
-    Compile::Begin(ctx, mode);
-    for (GLsizei i = 0; i < count; ++i) record_element(ctx, static_cast<GLint>(index_at(indices, type, i)));
-    Compile::End(ctx);
+    record_draw_elements(ctx, mode, count, type, indices);
+    if (ctx.lists.execute_too) ctx.dispatch.execute->DrawElements(&ctx, mode, count, type, indices);
 }
 
 void Compile::DrawRangeElements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count,
                                 GLenum type, const void* indices) {
-    if (end < start) return Compile::error(ctx, GL_INVALID_VALUE, "end is before start");
-    DrawElements(ctx, mode, count, type, indices);
+    if (end < start) {
+        record_list_error(ctx, GL_INVALID_VALUE, "end is before start");
+    } else {
+        record_draw_elements(ctx, mode, count, type, indices);
+    }
+    if (ctx.lists.execute_too)
+        ctx.dispatch.execute->DrawRangeElements(&ctx, mode, start, end, count, type, indices);
 }
 
 void Compile::MultiDrawArrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count,
                               GLsizei drawcount) {
-    if (drawcount < 0) return Compile::error(ctx, GL_INVALID_VALUE, "drawcount is negative");
-    for (GLsizei i = 0; i < drawcount; ++i)
-        if (count[i] > 0) DrawArrays(ctx, mode, first[i], count[i]);
+    if (drawcount < 0) record_list_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    for (GLsizei i = 0; i < drawcount; ++i) {
+        if (count[i] > 0) record_draw_arrays(ctx, mode, first[i], count[i]);
+    }
+    if (ctx.lists.execute_too) ctx.dispatch.execute->MultiDrawArrays(&ctx, mode, first, count, drawcount);
 }
 
 void Compile::MultiDrawElements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type,
                                 const void* const* indices, GLsizei drawcount) {
-    if (drawcount < 0) return Compile::error(ctx, GL_INVALID_VALUE, "drawcount is negative");
-    for (GLsizei i = 0; i < drawcount; ++i)
-        if (count[i] > 0) DrawElements(ctx, mode, count[i], type, indices[i]);
+    if (drawcount < 0) record_list_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    for (GLsizei i = 0; i < drawcount; ++i) {
+        if (count[i] > 0) record_draw_elements(ctx, mode, count[i], type, indices[i]);
+    }
+    if (ctx.lists.execute_too)
+        ctx.dispatch.execute->MultiDrawElements(&ctx, mode, count, type, indices, drawcount);
 }
 
 }  // namespace terrazzo::gl

@@ -11,16 +11,23 @@ namespace {
 void call_attribute(Context& ctx, int attribute, const std::array<GLfloat, 4>& v) {
     const Dispatch& gl = *ctx.dispatch.execute;
     switch (attribute) {
-        case pipeline::kNormal: return gl.Normal3f(&ctx, v[0], v[1], v[2]);
-        case pipeline::kColor: return gl.Color4f(&ctx, v[0], v[1], v[2], v[3]);
-        case pipeline::kEdgeFlag: return gl.EdgeFlag(&ctx, v[0] != 0);
-        case pipeline::kTexture0: return gl.TexCoord4f(&ctx, v[0], v[1], v[2], v[3]);
-        case pipeline::kPosition: return gl.Vertex4f(&ctx, v[0], v[1], v[2], v[3]);
+        case pipeline::kNormal:
+            return gl.Normal3f(&ctx, v[0], v[1], v[2]);
+        case pipeline::kColor:
+            return gl.Color4f(&ctx, v[0], v[1], v[2], v[3]);
+        case pipeline::kEdgeFlag:
+            return gl.EdgeFlag(&ctx, v[0] != 0);
+        case pipeline::kTexture0:
+            return gl.TexCoord4f(&ctx, v[0], v[1], v[2], v[3]);
+        case pipeline::kPosition:
+            return gl.Vertex4f(&ctx, v[0], v[1], v[2], v[3]);
     }
 }
 
-std::array<GLfloat, 4> value_of(const PrimitivesRecord& record, const PrimitivesRecord::Stream& stream, std::uint32_t vertex) {
-    const auto* bytes = reinterpret_cast<const std::byte*>(record.vertices()) + std::size_t{vertex} * record.stride;
+std::array<GLfloat, 4> value_of(const PrimitivesRecord& record, const PrimitivesRecord::Stream& stream,
+                                std::uint32_t vertex) {
+    const auto* bytes =
+        reinterpret_cast<const std::byte*>(record.vertices()) + std::size_t{vertex} * record.stride;
     std::array<GLfloat, 4> value{0, 0, 0, 1};
     std::memcpy(value.data(), bytes + stream.offset, stream.components * sizeof(GLfloat));
     return value;
@@ -64,8 +71,8 @@ void draw_batch(Context& ctx, const PrimitivesRecord& record) {
     for (std::uint32_t s = 0; s < record.stream_count; ++s) {
         const auto& stream = record.streams[s];
         input.streamed |= pipeline::bit(stream.attribute);
-        input.streams[stream.attribute] = {bytes + stream.offset, record.stride, pipeline::ComponentType::kFloat32,
-                                           stream.components, false};
+        input.streams[stream.attribute] = {bytes + stream.offset, record.stride,
+                                           pipeline::ComponentType::kFloat32, stream.components, false};
     }
     for (std::uint32_t r = 0; r < record.run_count; ++r) {
         const PrimitiveRun& run = record.runs()[r];
@@ -77,6 +84,10 @@ void draw_batch(Context& ctx, const PrimitivesRecord& record) {
 }  // namespace
 
 void play_primitives(Context& ctx, const PrimitivesRecord& record) {
+    if (ctx.vertex.open && record.from_arrays) {
+        return record_error(ctx, GL_INVALID_OPERATION,
+                            "vertex arrays are not drawn between glBegin and glEnd");
+    }
     if (ctx.vertex.open) {
         play_calls(ctx, record);
     } else {

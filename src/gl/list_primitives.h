@@ -1,7 +1,8 @@
 // The record of a batch of complete primitives in a display list.
 //
-// Behind the record stand the runs, the attributes that the batch sets before and after it, and the vertices: for each
-// vertex its position and the streamed attributes, as many components of each as differ from 0, 0, 1 somewhere.
+// Behind the record stand the runs, the attributes that the batch sets before and after it, and the vertices:
+// for each vertex its position and the streamed attributes, as many components of each as differ from 0, 0, 1
+// somewhere.
 #pragma once
 
 #include <array>
@@ -34,13 +35,16 @@ struct PrimitivesRecord {
     std::uint32_t vertex_count;
     std::uint32_t stride;  // bytes
     std::uint16_t stream_count;
-    bool w_is_one;   // of every position
-    bool index_set;  // the current colour index is left at `index`
+    bool w_is_one;     // of every position
+    bool from_arrays;  // not allowed between Begin and End
+    bool index_set;    // the current colour index is left at `index`
     GLfloat index;
     std::array<Stream, pipeline::kAttributeCount> streams;
 
     const PrimitiveRun* runs() const { return reinterpret_cast<const PrimitiveRun*>(this + 1); }
-    const AttributeValue* before() const { return reinterpret_cast<const AttributeValue*>(runs() + run_count); }
+    const AttributeValue* before() const {
+        return reinterpret_cast<const AttributeValue*>(runs() + run_count);
+    }
     const AttributeValue* after() const { return before() + before_count; }
     const float* vertices() const { return reinterpret_cast<const float*>(after() + after_count); }
 };

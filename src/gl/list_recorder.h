@@ -16,15 +16,20 @@ namespace terrazzo::gl {
 // The list being compiled cannot grow: records GL_OUT_OF_MEMORY; EndList will drop the list.
 void list_out_of_memory(Context& ctx);
 
+// Appends what is not Begin/End geometry.
 template <typename Append>
 void record(Context& ctx, Append append) noexcept {
     if (ctx.lists.out_of_memory) return;
     try {
+        ctx.lists.vertices.finish(*ctx.lists.compiling);
         append(*ctx.lists.compiling);
     } catch (const std::bad_alloc&) {
         list_out_of_memory(ctx);
     }
 }
+
+// Records an error that belongs to the call of the list.
+void record_list_error(Context& ctx, GLenum code, const char* rule);
 
 // An array argument on its way behind a record.
 class CopiedArray {

@@ -57,11 +57,16 @@ void record_call(DisplayList& list, int attribute, const Value& v) {
 // Vertices of one primitive, where primitives of a run share none; else 0.
 std::uint32_t vertices_of_independent(GLenum mode) {
     switch (mode) {
-        case GL_POINTS: return 1;
-        case GL_LINES: return 2;
-        case GL_TRIANGLES: return 3;
-        case GL_QUADS: return 4;
-        default: return 0;
+        case GL_POINTS:
+            return 1;
+        case GL_LINES:
+            return 2;
+        case GL_TRIANGLES:
+            return 3;
+        case GL_QUADS:
+            return 4;
+        default:
+            return 0;
     }
 }
 
@@ -79,7 +84,8 @@ void add_run(std::vector<PrimitiveRun>& runs, GLenum mode, std::uint32_t first, 
     runs.push_back({mode, first, count});
 }
 
-// How many components of an attribute must be kept: those behind are 0, 0, 1 in all vertices, as the pipeline assumes.
+// How many components of an attribute must be kept: those behind are 0, 0, 1 in all vertices, as the pipeline
+// assumes.
 std::uint8_t needed_components(const float* values, std::uint32_t count, std::uint32_t stride) {
     constexpr float kMissing[4] = {0, 0, 0, 1};
     for (std::uint8_t components = 4; components > 1; --components) {
@@ -91,7 +97,8 @@ std::uint8_t needed_components(const float* values, std::uint32_t count, std::ui
     return 1;
 }
 
-AttributeValue* store_values(AttributeValue* out, pipeline::AttributeMask mask, const std::array<Value, pipeline::kAttributeCount>& values) {
+AttributeValue* store_values(AttributeValue* out, pipeline::AttributeMask mask,
+                             const std::array<Value, pipeline::kAttributeCount>& values) {
     for_each_bit(mask, [&](int attribute) {
         *out++ = {static_cast<std::uint32_t>(attribute), values[static_cast<std::size_t>(attribute)]};
     });
@@ -124,6 +131,18 @@ void ListVertices::end(DisplayList& list) {
     }
     add_run(m_runs, m_mode, m_open_first, m_count - m_open_first);
     m_open = false;
+}
+
+void ListVertices::begin_arrays(DisplayList& list, GLenum mode) {
+    finish(list);
+    m_from_arrays = true;
+    begin(list, mode);
+}
+
+void ListVertices::end_arrays(DisplayList& list) {
+    end(list);
+    finish(list);
+    m_from_arrays = false;
 }
 
 void ListVertices::vertex(DisplayList& list, const Value& position) {
@@ -205,20 +224,25 @@ void ListVertices::record_attributes(DisplayList& list, pipeline::AttributeMask 
     for_each_bit(mask, [&](int a) { record_call(list, a, m_last[static_cast<std::size_t>(a)]); });
 }
 
-// The run that is being collected cannot be part of a batch: everything before it is recorded as one, the run itself
-// call by call, and so is what follows until End.
+// The run that is being collected cannot be part of a batch: everything before it is recorded as one, the run
+// itself call by call, and so is what follows until End.
 void ListVertices::record_open_run(DisplayList& list) {
-    const std::vector<float> vertices(m_data.begin() + static_cast<std::ptrdiff_t>(std::size_t{m_open_first} * m_stride), m_data.end());
+    const std::vector<float> vertices(
+        m_data.begin() + static_cast<std::ptrdiff_t>(std::size_t{m_open_first} * m_stride), m_data.end());
     const std::vector<std::uint8_t> streams = m_streams;
     const std::uint32_t stride = m_stride;
-    const bool first_of_batch = m_runs.empty();
     const auto first = m_first, last = m_last;
     const pipeline::AttributeMask constant = m_constant, set = m_set;
 
     m_open = false;
     m_data.resize(std::size_t{m_open_first} * m_stride);
     m_count = m_open_first;
-    if (!first_of_batch) record_batch(list);
+    m_set &= m_streamed | m_constant;  // others were first set in the open run
+    if (!m_runs.empty()) {
+        record_batch(list);
+    } else if (m_index_set) {
+        list.append<IndexfRecord>().c = m_index;
+    }
     start_batch();
     m_call_by_call = true;
 
@@ -240,7 +264,8 @@ void ListVertices::record_batch(DisplayList& list) {
     PrimitivesRecord record{};
     const auto add_stream = [&](std::uint8_t attribute, std::uint32_t index) {
         const std::uint8_t components = needed_components(m_data.data() + 4 * index, m_count, m_stride);
-        record.streams[record.stream_count++] = {attribute, components, static_cast<std::uint16_t>(record.stride)};
+        record.streams[record.stream_count++] = {attribute, components,
+                                                 static_cast<std::uint16_t>(record.stride)};
         record.stride += components * static_cast<std::uint32_t>(sizeof(float));
     };
     add_stream(pipeline::kPosition, 0);
@@ -251,6 +276,7 @@ void ListVertices::record_batch(DisplayList& list) {
     record.after_count = static_cast<std::uint32_t>(std::popcount(m_set));
     record.vertex_count = m_count;
     record.w_is_one = record.streams[0].components < 4;
+    record.from_arrays = m_from_arrays;
     record.index_set = m_index_set;
     record.index = m_index;
 
@@ -267,7 +293,8 @@ void ListVertices::record_batch(DisplayList& list) {
     auto* out = reinterpret_cast<float*>(values);
     for (std::uint32_t i = 0; i < m_count; ++i) {
         const float* vertex = m_data.data() + std::size_t{i} * m_stride;
-        for (std::uint32_t s = 0; s < record.stream_count; ++s) out = std::copy_n(vertex + 4 * s, record.streams[s].components, out);
+        for (std::uint32_t s = 0; s < record.stream_count; ++s)
+            out = std::copy_n(vertex + 4 * s, record.streams[s].components, out);
     }
 }
 

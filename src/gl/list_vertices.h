@@ -1,9 +1,10 @@
-// Begin/End geometry on its way into a display list: collected as batches of vertices, not as one record per call.
+// Begin/End geometry on its way into a display list: collected as batches of vertices, not as one record per
+// call.
 //
-// Runs of Begin, vertices and attributes, and End become one Primitives record (list_primitives.h) that goes to the
-// pipeline as a whole. That needs complete runs whose attributes are known from the first vertex on, or not set at
-// all; whatever else a list holds (vertices without Begin, an attribute that first appears in the middle of a run, other
-// commands between Begin and End) is recorded call by call, which says the same.
+// Runs of Begin, vertices and attributes, and End become one Primitives record (list_primitives.h) that goes
+// to the pipeline as a whole. That needs complete runs whose attributes are known from the first vertex on,
+// or not set at all; whatever else a list holds (vertices without Begin, an attribute that first appears in
+// the middle of a run, other commands between Begin and End) is recorded call by call, which says the same.
 #pragma once
 
 #include <GL/gl.h>
@@ -27,19 +28,24 @@ class ListVertices {
     void attribute(DisplayList& list, int attribute, const std::array<GLfloat, 4>& value);
     void index(DisplayList& list, GLfloat value);
 
+    // A run that DrawArrays or its like makes: a batch of its own, and no part of a run that may be open when
+    // the list is called.
+    void begin_arrays(DisplayList& list, GLenum mode);
+    void end_arrays(DisplayList& list);
+
     // Records what has been collected, before a command of another kind is recorded or the list ends.
     void finish(DisplayList& list);
 
-    bool open() const { return m_open || m_call_by_call; }  // between Begin and End, as far as the list can tell
+    bool open() const {
+        return m_open || m_call_by_call;
+    }  // between Begin and End, as far as the list can tell
 
     // Forgets everything.
     void reset() { *this = {}; }
 
   private:
     void start_batch();
-    void update_layout();
     void add_stream(int attribute);
-    void record_calls(DisplayList& list, std::uint32_t first, std::uint32_t count) const;
     void record_attributes(DisplayList& list, pipeline::AttributeMask mask) const;
     void record_open_run(DisplayList& list);
     void record_batch(DisplayList& list);
@@ -62,6 +68,7 @@ class ListVertices {
     GLenum m_mode = 0;
     std::uint32_t m_open_first = 0;
     bool m_call_by_call = false;  // until End
+    bool m_from_arrays = false;
 };
 
 }  // namespace terrazzo::gl

@@ -107,12 +107,16 @@ void list_out_of_memory(Context& ctx) {
     record_error(ctx, GL_OUT_OF_MEMORY, "not enough memory for the display list");
 }
 
-void Compile::error(Context& ctx, GLenum code, const char* rule) {
+void record_list_error(Context& ctx, GLenum code, const char* rule) {
     record(ctx, [&](DisplayList& list) {
         auto& r = list.append<ErrorRecord>();
         r.code = code;
         r.rule = rule;
     });
+}
+
+void Compile::error(Context& ctx, GLenum code, const char* rule) {
+    record_list_error(ctx, code, rule);
     if (ctx.lists.execute_too) record_error(ctx, code, rule);
 }
 
@@ -137,7 +141,9 @@ void new_list(Context& ctx, GLuint list, GLenum mode) {
 
 void end_list(Context& ctx) {
     if (!ctx.lists.compiling) return record_error(ctx, GL_INVALID_OPERATION, "no list is being compiled");
+    record(ctx, [](DisplayList&) {});  // what has been collected
     set_compiling(ctx, false);
+    ctx.lists.vertices.reset();
     const std::shared_ptr<const DisplayList> finished = std::move(ctx.lists.compiling);
     const GLuint name = std::exchange(ctx.lists.compiling_name, 0);
     ctx.lists.mode = 0;

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "gl/list_vertices.h"
+
 namespace terrazzo::gl {
 
 class DisplayList;
@@ -19,6 +21,7 @@ struct ListState {
     GLenum mode = 0;             // of NewList; 0 outside
     bool execute_too = false;    // GL_COMPILE_AND_EXECUTE
     bool out_of_memory = false;  // the list being compiled could not take a record and will not be kept
+    ListVertices vertices;       // of the list being compiled
     GLuint base = 0;
     int nesting = 0;  // calls of lists in progress
 };

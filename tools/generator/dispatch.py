@@ -58,7 +58,8 @@ def table(name, policy, function):
 
 
 def normal_function(policy, member):
-    return "ignored" if policy.only_inside_begin_end(member) else f"thunk::{member.command.short}<Execute>"
+    stand_in = {"ignored": "ignored", "illegal": "illegal_outside_begin_end"}.get(policy.outside_begin_end(member))
+    return stand_in or f"thunk::{member.command.short}<Execute>"
 
 
 def inside_function(policy, member):

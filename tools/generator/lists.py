@@ -20,9 +20,9 @@ ERROR_RECORD = """struct ErrorRecord {
 
 
 def commands(policy):
-    """Core commands that are recorded by generated code."""
+    """Core commands that have a record of their own."""
     return [m.command for m in policy.members
-            if m.kind == "core" and policy.listable(m.command) and not policy.recorded_by_hand(m.command)]
+            if m.kind == "core" and policy.listable(m.command) and policy.recording(m.command) != "by hand"]
 
 
 def is_image(parameter):
@@ -40,7 +40,7 @@ def record_struct(command):
 
 def records_header(policy):
     names = [c.short for c in commands(policy)]
-    opcodes = "".join(f"    k{name},\n" for name in ["Error", *names])
+    opcodes = "".join(f"    k{name},\n" for name in ["Error", "Primitives", *names])
     lines = [BANNER, "#pragma once\n", '#include <GL/gl.h>\n\n#include "gl/list_record.h"\n',
              "namespace terrazzo::gl {\n", f"enum class Opcode : std::uint16_t {{\n{opcodes}}};\n"]
     lines += [ERROR_RECORD, *[record_struct(c) for c in commands(policy)]]
@@ -111,7 +111,7 @@ def compile_header(policy):
 def recorder_source(policy):
     lines = [BANNER, '#include "gl/generated/compile.h"\n#include "gl/generated/records.h"\n'
              '#include "gl/generated/thunks.h"\n#include "gl/list_recorder.h"\n', "namespace terrazzo::gl {\n"]
-    lines += [recorder(policy, c) for c in commands(policy)]
+    lines += [recorder(policy, c) for c in commands(policy) if policy.recording(c) == "generated"]
     lines.append("}  // namespace terrazzo::gl")
     return "\n".join(lines) + "\n"
 
@@ -130,14 +130,16 @@ def player_source(policy):
     cases = "".join(player_case(c) for c in commands(policy))
     names = "".join(f'        case Opcode::k{c.short}: return "{c.name}";\n' for c in commands(policy))
     return "\n".join([
-        BANNER, '#include "gl/generated/dispatch.h"\n#include "gl/generated/records.h"\n#include "gl/list_player.h"\n',
+        BANNER, '#include "gl/generated/dispatch.h"\n#include "gl/generated/records.h"\n#include "gl/list_player.h"\n'
+        '#include "gl/list_primitives.h"\n',
         "namespace terrazzo::gl {\n",
         "void play_record(Context& ctx, const RecordHeader& header) {",
         "    const Dispatch& gl = *ctx.dispatch.execute;\n    switch (header.opcode) {",
         "        case Opcode::kError: return play_error(ctx, record_cast<ErrorRecord>(header));",
+        "        case Opcode::kPrimitives: return play_primitives(ctx, record_cast<PrimitivesRecord>(header));",
         f"{cases}    }}\n}}\n",
         "const char* record_name(Opcode opcode) {\n    switch (opcode) {",
-        f'        case Opcode::kError: break;\n{names}    }}\n    return "";\n}}\n',
+        f'        case Opcode::kError: break;\n        case Opcode::kPrimitives: return "glBegin";\n{names}    }}\n    return "";\n}}\n',
         "}  // namespace terrazzo::gl"]) + "\n"
 
 

@@ -66,9 +66,9 @@ class Policy:
     def inside_begin_end(self, member):
         return self.matches("inside_begin_end", member.command.name)
 
-    def only_inside_begin_end(self, member):
-        """The command has no effect outside Begin and End."""
-        return self.core[member.core.name].get("only_inside_begin_end", False)
+    def outside_begin_end(self, member):
+        """What the command does outside Begin and End when not the same: "ignored" or "illegal"."""
+        return self.core[member.core.name].get("outside_begin_end")
 
     def inlined(self, command):
         """The handwritten body is in a header, small, and throws nothing."""
@@ -78,8 +78,10 @@ class Policy:
         """Recorded in a display list, rather than carried out at once (GL 1.5 §5.4)."""
         return command.result == "void" and not self.matches("not_in_lists", command.name)
 
-    def recorded_by_hand(self, command):
-        return self.core[command.name].get("record") == "by hand"
+    def recording(self, command):
+        """Who records the command in display lists: "generated" code, which is the default, or code "by hand", with
+        records of its own or, when it is "batched", with the generated ones as well."""
+        return self.core[command.name].get("record", "generated")
 
     def may_be_null(self, command, parameter):
         """Whether the handwritten code gives a null pointer a meaning of its own."""
