@@ -108,6 +108,47 @@ TEST_F(ListTest, ArraysAreCopied) {
     EXPECT_EQ(value[7], 2.0f);
 }
 
+TEST_F(ListTest, ImagesAreUnpackedWhenTheyAreCompiled) {
+    std::array<GLubyte, 128> mask{};
+    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = static_cast<GLubyte>(i * 37);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_LSB_FIRST, GL_TRUE);
+    glPolygonStipple(mask.data());
+    std::array<GLubyte, 128> expected{}, found{};
+    glGetPolygonStipple(expected.data());
+
+    glNewList(1, GL_COMPILE);
+    glPolygonStipple(mask.data());
+    glEndList();
+    glPixelStorei(GL_UNPACK_LSB_FIRST, GL_FALSE);
+    glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
+    mask.fill(0);
+    glPolygonStipple(std::array<GLubyte, 256>{}.data());
+    glCallList(1);
+    glGetPolygonStipple(found.data());
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(integer(GL_UNPACK_SKIP_ROWS), 3);
+}
+
+TEST_F(ListTest, SomeCommandsAreCarriedOutAtOnce) {
+    glNewList(1, GL_COMPILE);
+    glPixelStorei(GL_PACK_ALIGNMENT, 8);
+    const GLuint names = glGenLists(2);
+    glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    EXPECT_EQ(integer(GL_PACK_ALIGNMENT), 8);
+    EXPECT_EQ(integer(GL_CLIENT_ATTRIB_STACK_DEPTH), 1);
+    EXPECT_TRUE(glIsList(names));
+    EXPECT_FALSE(glIsList(1));  // not yet
+    glDeleteLists(names, 2);
+    glEndList();
+    EXPECT_FALSE(glIsList(names));
+    EXPECT_TRUE(glIsList(1));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glCallList(1);
+    EXPECT_EQ(integer(GL_PACK_ALIGNMENT), 4);
+    expect_error(GL_NO_ERROR);
+}
+
 TEST_F(ListTest, EveryListableCommandIsRecordedAndNotExecuted) {
     // With arguments this wrong an executed command that checks them records an error at once.
     const Arguments wrong{-1, -1, nullptr};
