@@ -48,6 +48,21 @@ GLuint texture_name(Context& c, TextureTarget target) {
     return bound ? bound->name : 0;
 }
 
+struct ColorBits {
+    int red, green, blue, alpha;
+};
+
+ColorBits color_bits(const raster::TargetFormat& format) {
+    int bits = 8;
+    switch (format.color) {
+        case raster::ColorFormat::kRgba8: break;
+        case raster::ColorFormat::kRgba16: bits = 16; break;
+        case raster::ColorFormat::kRgba32F: bits = 32; break;
+        case raster::ColorFormat::kRgb565: return {5, 6, 5, 0};
+    }
+    return {bits, bits, bits, format.has_alpha ? bits : 0};
+}
+
 constexpr auto kByName = [](const StateVariable& a, const StateVariable& b) { return a.name < b.name; };
 
 constexpr auto kVariables = [] {
@@ -218,6 +233,16 @@ constexpr auto kVariables = [] {
         {GL_STEREO, [](Context&, Out& out) { out = false; }},
         {GL_AUX_BUFFERS, [](Context&, Out& out) { out = 0; }},
         {GL_INDEX_BITS, [](Context&, Out& out) { out = 0; }},
+        {GL_RED_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).red; }},
+        {GL_GREEN_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).green; }},
+        {GL_BLUE_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).blue; }},
+        {GL_ALPHA_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).alpha; }},
+        {GL_DEPTH_BITS, [](Context& c, Out& out) { out = c.surface.format.depth_bits; }},
+        {GL_STENCIL_BITS, [](Context& c, Out& out) { out = c.surface.format.stencil_bits; }},
+        {GL_ACCUM_RED_BITS, [](Context&, Out& out) { out = 0; }},
+        {GL_ACCUM_GREEN_BITS, [](Context&, Out& out) { out = 0; }},
+        {GL_ACCUM_BLUE_BITS, [](Context&, Out& out) { out = 0; }},
+        {GL_ACCUM_ALPHA_BITS, [](Context&, Out& out) { out = 0; }},
         {GL_RENDER_MODE, [](Context&, Out& out) { out = GL_RENDER; }},
     });
     std::ranges::sort(variables, kByName);

@@ -131,20 +131,20 @@ TEST_F(ListTest, ImagesAreUnpackedWhenTheyAreCompiled) {
 }
 
 TEST_F(ListTest, SomeCommandsAreCarriedOutAtOnce) {
-    glNewList(1, GL_COMPILE);
+    glNewList(50, GL_COMPILE);
     glPixelStorei(GL_PACK_ALIGNMENT, 8);
     const GLuint names = glGenLists(2);
     glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     EXPECT_EQ(integer(GL_PACK_ALIGNMENT), 8);
     EXPECT_EQ(integer(GL_CLIENT_ATTRIB_STACK_DEPTH), 1);
     EXPECT_TRUE(glIsList(names));
-    EXPECT_FALSE(glIsList(1));  // not yet
+    EXPECT_FALSE(glIsList(50));  // not yet
     glDeleteLists(names, 2);
     glEndList();
     EXPECT_FALSE(glIsList(names));
-    EXPECT_TRUE(glIsList(1));
+    EXPECT_TRUE(glIsList(50));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glCallList(1);
+    glCallList(50);
     EXPECT_EQ(integer(GL_PACK_ALIGNMENT), 4);
     expect_error(GL_NO_ERROR);
 }
