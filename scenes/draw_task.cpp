@@ -6,8 +6,10 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "gltf/model.h"
 #include "kit/child.h"
 #include "kit/offscreen.h"
+#include "kit/shared_bytes.h"
 #include "study/scenes.h"
 
 namespace terrazzo {
@@ -20,6 +22,8 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 }
 
 std::unique_ptr<kit::Drawing> create_drawing(const nlohmann::json& arguments) {
+    if (arguments.contains("model"))
+        return gltf::create_drawing(gltf::unpack(kit::read_bytes(arguments.at("model").get<std::string>())));
     const auto name = arguments.at("scene").get<std::string>();
     auto drawing = study::create_scene(name);
     if (!drawing) throw std::runtime_error("no scene is called " + name);

@@ -55,7 +55,8 @@ void print_table(const std::vector<bench::SceneResult>& results, const std::stri
 
 void run(Options& options) {
     options.plan.draw_program = draw_program();
-    options.plan.scenes = scene_arguments(options.scenes);
+    const SceneList scenes = load_scenes(options.scenes);
+    options.plan.scenes = scenes.arguments;
     for (const int threads : options.threads)
         for (const std::string& text : options.libraries) {
             const NamedLibrary library = parse_library(text);

@@ -9,5 +9,6 @@ namespace terrazzo {
 void add_bench_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
+void add_demo_command(CLI::App& app);
 
 }  // namespace terrazzo

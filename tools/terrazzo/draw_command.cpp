@@ -24,10 +24,11 @@ struct Options {
 };
 
 void run(const Options& options) {
+    const SceneList scenes = load_scenes({options.scene});
     kit::ChildRequest request;
     request.executable = draw_program();
     request.task = "draw";
-    request.arguments = scene_arguments({options.scene}).front();
+    request.arguments = scenes.arguments.front();
     request.arguments.update({{"library", parse_library(options.library).path},
                               {"frame", options.frame},
                               {"width", options.width},

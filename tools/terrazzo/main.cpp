@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     terrazzo::add_bench_command(app);
     terrazzo::add_info_command(app);
     terrazzo::add_draw_command(app);
+    terrazzo::add_demo_command(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& stop) {
