@@ -101,17 +101,48 @@ bool is_material_parameter(GLenum pname) {
            pname == GL_COLOR_INDEXES;
 }
 
+// The vertex attribute that stands for a material parameter while it varies between Begin and End.
+int material_attribute(GLenum face, GLenum pname) {
+    const int first = face == GL_FRONT ? pipeline::kFrontAmbient : pipeline::kBackAmbient;
+    switch (pname) {
+        case GL_AMBIENT:
+            return first;
+        case GL_DIFFUSE:
+            return first + 1;
+        case GL_SPECULAR:
+            return first + 2;
+        case GL_EMISSION:
+            return first + 3;
+        default:
+            return first + 4;  // shininess
+    }
+}
+
+// Between Begin and End the vertices given so far keep the old value: it becomes an attribute of each vertex.
+void vary_material(Context& ctx, int attribute, const Color4& before, const Color4& after) {
+    if (!ctx.vertex.open || ctx.vertex.batch.count == 0) return;
+    Color4& current = ctx.vertex.current.values[static_cast<std::size_t>(attribute)];
+    if (!(ctx.vertex.batch.mask & pipeline::bit(attribute))) {
+        current = before;
+        stream_attribute(ctx, attribute);
+    }
+    current = after;
+}
+
 void set_material(Context& ctx, GLenum face, GLenum pname, const GLfloat* params) {
     Material& material = face == GL_FRONT ? ctx.lighting.front : ctx.lighting.back;
     if (pname == GL_AMBIENT_AND_DIFFUSE) {
         set_material(ctx, face, GL_AMBIENT, params);
         set_material(ctx, face, GL_DIFFUSE, params);
     } else if (pname == GL_SHININESS) {
+        vary_material(ctx, material_attribute(face, pname), {material.shininess, 0, 0, 1}, {*params, 0, 0, 1});
         change(ctx, Dirty::kLighting, material.shininess, *params);
     } else if (pname == GL_COLOR_INDEXES) {
         change(ctx, Dirty::kLighting, material.color_indexes, std::array{params[0], params[1], params[2]});
     } else if (!is_tracked(ctx.lighting.color_material, face, pname)) {
-        change(ctx, Dirty::kLighting, *material_color(material, pname), color_at(params));
+        Color4& color = *material_color(material, pname);
+        vary_material(ctx, material_attribute(face, pname), color, color_at(params));
+        change(ctx, Dirty::kLighting, color, color_at(params));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "gl/surface.h"
 
 #include "gl/context.h"
+#include "gl/draw.h"
 #include "gl/generated/commands.h"
 
 namespace terrazzo::gl {
@@ -32,7 +33,7 @@ void present(Context& ctx) {
 }
 
 void copy_picture(Context& ctx, pipeline::PixelLayout layout, std::byte* bottom_row, std::ptrdiff_t stride) {
-    ctx.renderer.finish();
+    finish_drawing(ctx);
     // Row 0 of a window's target is its top row.
     std::byte* const top_row = bottom_row + (ctx.surface.height - 1) * stride;
     pipeline::resolve(*ctx.renderer.target(), layout, top_row, -stride);

@@ -76,7 +76,8 @@ TEST_F(DispatchTest, TheFirstErrorSticksUntilItIsFetched) {
 
 // Whatever the arguments, a command returns. With null pointers nothing of the caller's is read or written.
 TEST_F(DispatchTest, CommandsSurviveArgumentsOutOfRange) {
-    const std::vector<long long> integers = {0, 1, -1, 0x7fffffff, -0x7fffffff - 1, GL_TEXTURE_2D, GL_FLOAT, 31};
+    const std::vector<long long> integers = {0,        1, -1, 0x7fffffff, -0x7fffffff - 1, GL_TEXTURE_2D,
+                                             GL_FLOAT, 31};
     const std::vector<double> reals = {0, -1, 1e300, __builtin_nan("")};
     for (const Call& call : kEveryCall) {
         if (!call.implemented) continue;
@@ -100,7 +101,7 @@ TEST_F(DispatchTest, FormsConvertTheirArguments) {
     glFogiv(GL_FOG_COLOR, colour);
     glGetFloatv(GL_FOG_COLOR, value);
     EXPECT_EQ(value[0], 1.0f);
-    EXPECT_EQ(value[1], 0.0f);  // -1 clamped
+    EXPECT_EQ(value[1], 0.0f);          // -1 clamped
     EXPECT_NEAR(value[3], 0.5f, 1e-7);  // half a unit in the last place of 0.5, rounded
 
     glFogi(GL_FOG_MODE, GL_LINEAR);

@@ -2,10 +2,13 @@
 #include <GL/gl.h>
 
 #include <array>
+#include <map>
 #include <thread>
 #include <vector>
 
 #include "gl/generated/calls.h"
+#include "gl/list_primitives.h"
+#include "gl/share.h"
 #include "gl_fixture.h"
 
 namespace terrazzo::gl {
@@ -82,7 +85,7 @@ TEST_F(ListTest, ErrorsOfNewListAndEndList) {
 TEST_F(ListTest, ErrorsBelongToTheCall) {
     glNewList(1, GL_COMPILE);
     glMatrixMode(GL_ONE);
-    glFogf(GL_FOG_COLOR, 1);       // known to be wrong when it is compiled
+    glFogf(GL_FOG_COLOR, 1);  // known to be wrong when it is compiled
     glFogfv(GL_FOG_COLOR, nullptr);
     glEndList();
     expect_error(GL_NO_ERROR);
@@ -316,6 +319,51 @@ TEST_F(ListTest, SharedListsMayChangeWhileTheyArePlayed) {
         if (i % 7 == 0) glDeleteLists(1, 1);
     }
     player.join();
+}
+
+// How many records of each kind a list has become.
+std::map<Opcode, int> records_of(Context& ctx, GLuint name) {
+    std::map<Opcode, int> counts;
+    ctx.shared->lists.at(name)->for_each([&](const RecordHeader& header) { ++counts[header.opcode]; });
+    return counts;
+}
+
+TEST_F(ListTest, GeometryBecomesOneBatch) {
+    glNewList(1, GL_COMPILE);
+    for (GLint i = 0; i < 1000; ++i) {
+        glBegin(GL_QUADS);
+        glNormal3f(0, 0, 1);
+        for (GLint corner = 0; corner < 4; ++corner) {
+            glColor3f(0, static_cast<GLfloat>(corner), 0);
+            glVertex2i(i, corner);
+        }
+        glEnd();
+    }
+    glTranslatef(1, 0, 0);
+    glEndList();
+    const std::map<Opcode, int> expected = {{Opcode::kPrimitives, 1}, {Opcode::kTranslatef, 1}};
+    EXPECT_EQ(records_of(ctx(), 1), expected);
+    ctx().shared->lists.at(1)->for_each([](const RecordHeader& header) {
+        if (header.opcode != Opcode::kPrimitives) return;
+        const auto& record = record_cast<PrimitivesRecord>(header);
+        EXPECT_EQ(record.run_count, 1u);
+        EXPECT_EQ(record.vertex_count, 4000u);
+        EXPECT_EQ(record.stride, 4 * sizeof(GLfloat));  // x, y; red, green: the rest is as if it were missing
+        EXPECT_EQ(record.before_count, 1u);             // the normal
+    });
+}
+
+TEST_F(ListTest, WhatIsNoBatchIsRecordedCallByCall) {
+    glNewList(1, GL_COMPILE);
+    glBegin(GL_TRIANGLES);
+    glVertex2i(0, 0);
+    glColor3f(1, 0, 0);  // the vertex before has the colour that is current when the list is called
+    glVertex2i(1, 0);
+    glEnd();
+    glEndList();
+    const std::map<Opcode, int> expected = {
+        {Opcode::kBegin, 1}, {Opcode::kVertex4f, 2}, {Opcode::kColor4f, 1}, {Opcode::kEnd, 1}};
+    EXPECT_EQ(records_of(ctx(), 1), expected);
 }
 
 TEST_F(ListTest, LongListsAreWhole) {

@@ -26,7 +26,8 @@ TEST(NameRanges, AgreesWithAPlainSet) {
             ranges.erase(first, last);
             plain.erase(plain.lower_bound(first), plain.upper_bound(last));
         }
-        for (GLuint n = 0; n <= kNames + 1; ++n) ASSERT_EQ(ranges.contains(n), plain.contains(n)) << step << ": " << n;
+        for (GLuint n = 0; n <= kNames + 1; ++n)
+            ASSERT_EQ(ranges.contains(n), plain.contains(n)) << step << ": " << n;
     }
 }
 
