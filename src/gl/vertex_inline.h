@@ -7,15 +7,28 @@
 
 namespace terrazzo::gl {
 
+// What a command does when it cannot be done with by storing values. These throw nothing, and the inlined
+// parts end with a call of them, so that the usual way through needs no stack frame.
+void set_attribute_slowly(Context& ctx, int attribute, GLfloat x, GLfloat y, GLfloat z, GLfloat w) noexcept;
+void vertex4f_slowly(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) noexcept;
+
 inline void set_attribute(Context& ctx, int attribute, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     const VertexBatch& batch = ctx.vertex.batch;
-    if (batch.count != 0 && !(batch.mask & pipeline::bit(attribute))) stream_attribute(ctx, attribute);
-    ctx.vertex.current.values[static_cast<std::size_t>(attribute)] = {x, y, z, w};
+    if (batch.count != 0 && !(batch.mask & pipeline::bit(attribute))) [[unlikely]] {
+        return set_attribute_slowly(ctx, attribute, x, y, z, w);
+    }
+    // One store, because the next vertex takes the value with one load: four stores would not be forwarded to
+    // it.
+    using Four = GLfloat __attribute__((vector_size(16)));
+    const Four value = {x, y, z, w};
+    std::memcpy(ctx.vertex.current.values[static_cast<std::size_t>(attribute)].data(), &value, sizeof value);
 }
 
 inline void vertex4f(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     VertexBatch& batch = ctx.vertex.batch;
-    if (batch.end - batch.next < static_cast<std::ptrdiff_t>(batch.stride)) grow_batch(ctx);
+    if (batch.end - batch.next < static_cast<std::ptrdiff_t>(batch.stride)) [[unlikely]] {
+        return vertex4f_slowly(ctx, x, y, z, w);
+    }
     float* out = batch.next;
     out[0] = x, out[1] = y, out[2] = z, out[3] = w;
     for (std::uint32_t i = 0; i < batch.stream_count; ++i) {

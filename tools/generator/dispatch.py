@@ -45,7 +45,7 @@ def execute_header(policy):
         if member.kind != "core":
             continue
         call = f"{command.snake}(ctx{''.join(f', {p.name}' for p in command.parameters)})"
-        body = f"return guarded(ctx, [&] {{ return {call}; }})"
+        body = call if policy.inlined(command) else f"return guarded(ctx, [&] {{ return {call}; }})"
         lines.append(f"    static {command.result} {command.short}(Context& ctx{named_parameters(command)}) "
                      f"{{ {body}; }}")
     lines.append("};\n\n}  // namespace terrazzo::gl")
