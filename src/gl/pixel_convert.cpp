@@ -272,6 +272,23 @@ T from_index(uint32_t index) {
     }
 }
 
+// As the reference rounds depths: only 16 unsigned bits to nearest, short signed types by the formula of
+// GL 1.5 table 4.7 and the others downwards.
+template <typename T>
+T from_depth(float depth) {
+    if constexpr (std::is_same_v<T, float>) {
+        return depth;
+    } else if constexpr (std::is_same_v<T, uint16_t>) {
+        return static_cast<uint16_t>(std::lrint(depth * 65535.0f));
+    } else if constexpr (std::is_same_v<T, int8_t> || std::is_same_v<T, int16_t>) {
+        constexpr float kMaximum = std::numeric_limits<std::make_unsigned_t<T>>::max();
+        return static_cast<T>((static_cast<int>(depth * kMaximum) - 1) / 2);
+    } else {
+        constexpr double kMaximum = std::numeric_limits<T>::max();
+        return static_cast<T>(static_cast<double>(depth) * kMaximum);
+    }
+}
+
 }  // namespace
 
 unsigned unorm_from_float(float value, unsigned bits) {
@@ -395,10 +412,10 @@ void pack_indices(GLenum type, bool swap_bytes, bool lsb_first, const uint32_t* 
     });
 }
 
-void pack_depths(GLenum type, bool swap_bytes, const double* depths, int count, void* destination) {
+void pack_depths(GLenum type, bool swap_bytes, const float* depths, int count, void* destination) {
     const auto bytes = static_cast<Bytes>(destination);
     with_type(type, [&]<typename T>(T) {
-        for (int i = 0; i < count; ++i) store(from_unit<T>(depths[i]), bytes, i, swap_bytes);
+        for (int i = 0; i < count; ++i) store(from_depth<T>(depths[i]), bytes, i, swap_bytes);
     });
 }
 

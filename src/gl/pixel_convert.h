@@ -55,6 +55,6 @@ void pack_indices(GLenum type, bool swap_bytes, bool lsb_first, const uint32_t* 
                   void* destination, int first_bit);
 
 // Depths in 0..1 to client memory, as one component of any unpacked type.
-void pack_depths(GLenum type, bool swap_bytes, const double* depths, int count, void* destination);
+void pack_depths(GLenum type, bool swap_bytes, const float* depths, int count, void* destination);
 
 }  // namespace terrazzo::gl

@@ -63,19 +63,20 @@ void transfer_indices_to_colors(const PixelState& state, const uint32_t* indices
 }
 
 void transfer_stencils(const PixelState& state, uint32_t* indices, int count) {
+    constexpr uint32_t kStencilMask = 0xff;  // stencil buffers have 8 bits
     const PixelTransfer& transfer = state.mode.transfer;
     for (int i = 0; i < count; ++i) {
-        indices[i] = shift_and_offset(transfer, indices[i]);
+        indices[i] = shift_and_offset(transfer, indices[i]) & kStencilMask;
         if (transfer.map_stencil) {
             indices[i] = static_cast<uint32_t>(std::lrint(look_up_index(state.maps[kMapSToS], indices[i])));
         }
     }
 }
 
-void transfer_depths(const PixelState& state, double* depths, int count) {
+void transfer_depths(const PixelState& state, float* depths, int count) {
     const PixelTransfer& transfer = state.mode.transfer;
     for (int i = 0; i < count; ++i) {
-        depths[i] = std::clamp(depths[i] * transfer.depth_scale + transfer.depth_bias, 0.0, 1.0);
+        depths[i] = std::clamp(depths[i] * transfer.depth_scale + transfer.depth_bias, 0.0f, 1.0f);
     }
 }
 

@@ -22,6 +22,6 @@ void transfer_indices_to_colors(const PixelState& state, const uint32_t* indices
 void transfer_stencils(const PixelState& state, uint32_t* indices, int count);
 
 // Scale and bias, clamped to 0..1.
-void transfer_depths(const PixelState& state, double* depths, int count);
+void transfer_depths(const PixelState& state, float* depths, int count);
 
 }  // namespace terrazzo::gl

@@ -1,0 +1,145 @@
+// ReadPixels (GL 1.5 §4.3.2): rows of the frame buffer through pixel transfer and pack modes into client
+// memory.
+//
+// Pixels outside the window leave the client's memory as it is.
+#include <algorithm>
+
+#include "gl/client_pixel.h"
+#include "gl/context.h"
+#include "gl/generated/commands.h"
+#include "gl/pixel_convert.h"
+#include "gl/pixel_transfer.h"
+#include "gl/read_source.h"
+#include "pipeline/read_row.h"
+
+namespace terrazzo::gl {
+namespace {
+
+// One run of pixels of the request: in the window at (x, y), in client memory at `destination`.
+struct Run {
+    int x, y, count;
+    uint8_t* destination;
+    int first_bit;  // for GL_BITMAP
+};
+
+class PixelReader {
+  public:
+    PixelReader(Context& ctx, GLenum format, GLenum type)
+        : m_state(ctx.pixels), m_source(ctx), m_format(format), m_type(type) {}
+
+    void read(GLint x, GLint y, GLsizei width, GLsizei height, void* pixels) const {
+        const ReadRect rect = m_source.clip(x, y, width, height);
+        const ImageLayout layout = image_layout(m_state.pack, width, m_format, m_type);
+        const size_t pixel_size = bytes_per_pixel(m_format, m_type);
+        const auto columns = static_cast<size_t>(rect.skipped_columns);
+        auto* row = static_cast<uint8_t*>(pixels) + layout.offset +
+                    static_cast<size_t>(rect.skipped_rows) * layout.row_stride + columns * pixel_size;
+        for (int i = 0; i < rect.height; ++i, row += layout.row_stride) {
+            for (int j = 0; j < rect.width; j += kPixelChunk) {
+                read_run({rect.x + j, rect.y + i, std::min(kPixelChunk, rect.width - j),
+                          row + static_cast<size_t>(j) * pixel_size,
+                          layout.first_bit + rect.skipped_columns + j});
+            }
+        }
+    }
+
+  private:
+    void read_run(const Run& run) const {
+        switch (m_format) {
+            case GL_DEPTH_COMPONENT:
+                return read_depths(run);
+            case GL_STENCIL_INDEX:
+                return read_stencils(run);
+            default:
+                return is_luminance() ? read_luminances(run) : read_colors(run);
+        }
+    }
+
+    bool is_luminance() const { return m_format == GL_LUMINANCE || m_format == GL_LUMINANCE_ALPHA; }
+
+    void read_colors(const Run& run) const {
+        if (m_source.has_bytes(m_state) && goes_through_bytes()) {
+            uint8_t rgba[4 * kPixelChunk];
+            m_source.read(run.x, run.y, run.count, rgba);
+            pack_rgba8(m_format, m_type, m_state.pack.swap_bytes, rgba, run.count, run.destination);
+            return;
+        }
+        float rgba[4 * kPixelChunk];
+        m_source.read(run.x, run.y, run.count, m_state, rgba);
+        pack_rgba_float(m_format, m_type, m_state.pack.swap_bytes, rgba, run.count, run.destination);
+    }
+
+    // Components below 8 bits are read as bytes by types that have no more.
+    bool goes_through_bytes() const {
+        return m_source.target().format().color == raster::ColorFormat::kRgba8 ||
+               has_8_bit_components(m_type);
+    }
+
+    // L is R + G + B.
+    void read_luminances(const Run& run) const {
+        float rgba[4 * kPixelChunk];
+        m_source.read(run.x, run.y, run.count, m_state, rgba);
+        const bool clamps = m_source.target().format().color != raster::ColorFormat::kRgba32F;
+        for (int i = 0; i < run.count; ++i) {
+            const float sum = rgba[4 * i] + rgba[4 * i + 1] + rgba[4 * i + 2];
+            rgba[4 * i] = clamps ? std::min(sum, 1.0f) : sum;
+        }
+        pack_rgba_float(m_format, m_type, m_state.pack.swap_bytes, rgba, run.count, run.destination);
+    }
+
+    void read_depths(const Run& run) const {
+        uint32_t integers[kPixelChunk];
+        pipeline::read_depth(m_source.target(), run.x, m_source.row(run.y), run.count, integers);
+        const int bits = m_source.target().format().depth_bits;
+        const bool swap_bytes = m_state.pack.swap_bytes;
+        if (m_type == GL_UNSIGNED_INT && !swap_bytes && !changes_depths(m_state)) {
+            // The reference's way without floats: integers widened by repeating their bits.
+            for (int i = 0; i < run.count; ++i)
+                integers[i] = integers[i] << (32 - bits) | integers[i] >> (2 * bits - 32);
+            return pack_indices(m_type, false, false, integers, run.count, run.destination, 0);
+        }
+        const double maximum = static_cast<double>((uint64_t{1} << bits) - 1);
+        float depths[kPixelChunk];
+        for (int i = 0; i < run.count; ++i) depths[i] = static_cast<float>(integers[i] / maximum);
+        if (changes_depths(m_state)) transfer_depths(m_state, depths, run.count);
+        pack_depths(m_type, swap_bytes, depths, run.count, run.destination);
+    }
+
+    void read_stencils(const Run& run) const {
+        uint8_t bytes[kPixelChunk];
+        pipeline::read_stencil(m_source.target(), run.x, m_source.row(run.y), run.count, bytes);
+        uint32_t indices[kPixelChunk];
+        std::copy_n(bytes, run.count, indices);
+        transfer_stencils(m_state, indices, run.count);
+        pack_indices(m_type, m_state.pack.swap_bytes, m_state.pack.lsb_first, indices, run.count,
+                     run.destination, run.first_bit);
+    }
+
+    const PixelState& m_state;
+    ReadSource m_source;
+    GLenum m_format, m_type;
+};
+
+Rule check_buffers(const Context& ctx, GLenum format) {
+    if (format == GL_COLOR_INDEX) return {GL_INVALID_OPERATION, "the frame buffer holds no colour indices"};
+    if (format == GL_DEPTH_COMPONENT && ctx.surface.format.depth_bits == 0) {
+        return {GL_INVALID_OPERATION, "there is no depth buffer"};
+    }
+    if (format == GL_STENCIL_INDEX && ctx.surface.format.stencil_bits == 0) {
+        return {GL_INVALID_OPERATION, "there is no stencil buffer"};
+    }
+    return {};
+}
+
+}  // namespace
+
+void read_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                 void* pixels) {
+    if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
+    Rule rule = check_client_pixel(format, type);
+    if (rule.code == GL_NO_ERROR) rule = check_buffers(ctx, format);
+    if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
+    if (pixels) PixelReader(ctx, format, type).read(x, y, width, height, pixels);
+}
+
+}  // namespace terrazzo::gl

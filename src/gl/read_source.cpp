@@ -1,0 +1,51 @@
+// Access to the finished render target.
+#include "gl/read_source.h"
+
+#include <algorithm>
+
+#include "gl/context.h"
+#include "gl/pixel_transfer.h"
+#include "pipeline/read_row.h"
+
+namespace terrazzo::gl {
+namespace {
+
+raster::Target& finished_target(Context& ctx) {
+    begin_change(ctx, Dirty::kFramebuffer);
+    ctx.renderer.finish();
+    return *ctx.renderer.target();
+}
+
+float clamp_to_unit(float value) {
+    return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+}
+
+}  // namespace
+
+ReadSource::ReadSource(Context& ctx) : m_target(finished_target(ctx)) {}
+
+ReadRect ReadSource::clip(GLint x, GLint y, GLsizei width, GLsizei height) const {
+    const int64_t x0 = std::max(x, 0), x1 = std::min(int64_t{x} + width, int64_t{m_target.width()});
+    const int64_t y0 = std::max(y, 0), y1 = std::min(int64_t{y} + height, int64_t{m_target.height()});
+    if (x0 >= x1 || y0 >= y1) return {};
+    return {static_cast<GLint>(x0),        static_cast<GLint>(y0),       static_cast<GLsizei>(x1 - x0),
+            static_cast<GLsizei>(y1 - y0), static_cast<GLsizei>(x0 - x), static_cast<GLsizei>(y0 - y)};
+}
+
+bool ReadSource::has_bytes(const PixelState& pixels) const {
+    return pipeline::fits_rgba8(m_target.format().color) && !changes_colors(pixels);
+}
+
+void ReadSource::read(int x, int y, int count, uint8_t* rgba) const {
+    pipeline::read_color_rgba8(m_target, x, row(y), count, rgba);
+}
+
+void ReadSource::read(int x, int y, int count, const PixelState& pixels, float* rgba) const {
+    pipeline::read_color_float(m_target, x, row(y), count, rgba);
+    if (!changes_colors(pixels)) return;
+    transfer_colors(pixels, rgba, count);
+    if (m_target.format().color == raster::ColorFormat::kRgba32F) return;
+    std::transform(rgba, rgba + 4 * count, rgba, clamp_to_unit);
+}
+
+}  // namespace terrazzo::gl
