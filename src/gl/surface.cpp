@@ -33,10 +33,10 @@ void present(Context& ctx) {
 }
 
 void copy_picture(Context& ctx, pipeline::PixelLayout layout, std::byte* bottom_row, std::ptrdiff_t stride) {
-    finish_drawing(ctx);
+    flush_vertices(ctx);
     // Row 0 of a window's target is its top row.
     std::byte* const top_row = bottom_row + (ctx.surface.height - 1) * stride;
-    pipeline::resolve(*ctx.renderer.target(), layout, top_row, -stride);
+    ctx.renderer.finish(layout, top_row, -stride);
 }
 
 void flush(Context& ctx) {

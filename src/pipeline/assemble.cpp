@@ -36,16 +36,24 @@ TriangleSetup triangle_setup(const DrawState& state) {
 uint32_t primitive_count(PrimitiveMode mode, uint32_t count) {
     const auto beyond = [&](uint32_t used) { return count > used ? count - used : 0; };
     switch (mode) {
-        case PrimitiveMode::kPoints: return count;
-        case PrimitiveMode::kLines: return count / 2;
-        case PrimitiveMode::kLineLoop: return count >= 2 ? count : 0;
-        case PrimitiveMode::kLineStrip: return beyond(1);
-        case PrimitiveMode::kTriangles: return count / 3;
+        case PrimitiveMode::kPoints:
+            return count;
+        case PrimitiveMode::kLines:
+            return count / 2;
+        case PrimitiveMode::kLineLoop:
+            return count >= 2 ? count : 0;
+        case PrimitiveMode::kLineStrip:
+            return beyond(1);
+        case PrimitiveMode::kTriangles:
+            return count / 3;
         case PrimitiveMode::kTriangleStrip:
         case PrimitiveMode::kTriangleFan:
-        case PrimitiveMode::kPolygon: return beyond(2);
-        case PrimitiveMode::kQuads: return count / 4;
-        case PrimitiveMode::kQuadStrip: return beyond(2) / 2;
+        case PrimitiveMode::kPolygon:
+            return beyond(2);
+        case PrimitiveMode::kQuads:
+            return count / 4;
+        case PrimitiveMode::kQuadStrip:
+            return beyond(2) / 2;
     }
     return 0;
 }
@@ -56,39 +64,53 @@ struct Positions {
 };
 Positions positions_of(PrimitiveMode mode, uint32_t first, uint32_t last, uint32_t count) {
     switch (mode) {
-        case PrimitiveMode::kPoints: return {first, last};
-        case PrimitiveMode::kLines: return {2 * first, 2 * last};
-        case PrimitiveMode::kLineLoop: return {first, std::min(last + 1, count)};
-        case PrimitiveMode::kLineStrip: return {first, last + 1};
-        case PrimitiveMode::kTriangles: return {3 * first, 3 * last};
-        case PrimitiveMode::kTriangleStrip: return {first, last + 2};
+        case PrimitiveMode::kPoints:
+            return {first, last};
+        case PrimitiveMode::kLines:
+            return {2 * first, 2 * last};
+        case PrimitiveMode::kLineLoop:
+            return {first, std::min(last + 1, count)};
+        case PrimitiveMode::kLineStrip:
+            return {first, last + 1};
+        case PrimitiveMode::kTriangles:
+            return {3 * first, 3 * last};
+        case PrimitiveMode::kTriangleStrip:
+            return {first, last + 2};
         case PrimitiveMode::kTriangleFan:
-        case PrimitiveMode::kPolygon: return {first + 1, last + 2};
-        case PrimitiveMode::kQuads: return {4 * first, 4 * last};
-        case PrimitiveMode::kQuadStrip: return {2 * first, 2 * last + 2};
+        case PrimitiveMode::kPolygon:
+            return {first + 1, last + 2};
+        case PrimitiveMode::kQuads:
+            return {4 * first, 4 * last};
+        case PrimitiveMode::kQuadStrip:
+            return {2 * first, 2 * last + 2};
     }
     return {0, 0};
 }
 
 bool has_pivot(PrimitiveMode mode) {
-    return mode == PrimitiveMode::kTriangleFan || mode == PrimitiveMode::kPolygon || mode == PrimitiveMode::kLineLoop;
+    return mode == PrimitiveMode::kTriangleFan || mode == PrimitiveMode::kPolygon ||
+           mode == PrimitiveMode::kLineLoop;
 }
 
 // Primitives whose positions, and the pivot, fit a chunk.
 uint32_t chunk_primitives(PrimitiveMode mode) {
     switch (mode) {
-        case PrimitiveMode::kTriangles: return kChunkVertices / 3;
-        case PrimitiveMode::kQuads: return kChunkVertices / 4;
+        case PrimitiveMode::kTriangles:
+            return kChunkVertices / 3;
+        case PrimitiveMode::kQuads:
+            return kChunkVertices / 4;
         case PrimitiveMode::kLines:
-        case PrimitiveMode::kQuadStrip: return kChunkVertices / 2 - 2;
-        default: return kChunkVertices - 16;
+        case PrimitiveMode::kQuadStrip:
+            return kChunkVertices / 2 - 2;
+        default:
+            return kChunkVertices - 16;
     }
 }
 
 }  // namespace
 
-PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, ShadedVertices& pivot, const DrawState& state,
-                                       const VertexInput& input)
+PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, ShadedVertices& pivot,
+                                       const DrawState& state, const VertexInput& input)
     : m_frame(frame),
       m_vertices(vertices),
       m_state(state),
@@ -102,7 +124,9 @@ PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, S
         Arena& arena = static_cast<Sink&>(sink).frame->arena();
         return new (arena.allocate(raster::Primitive::size_of(plane_count))) raster::Primitive;
     };
-    m_sink.commit = [](PrimitiveSink& sink, raster::Primitive& primitive) { static_cast<Sink&>(sink).frame->add(primitive); };
+    m_sink.commit = [](PrimitiveSink& sink, raster::Primitive& primitive) {
+        static_cast<Sink&>(sink).frame->add(primitive);
+    };
     vertices.reserve(column_count(state.vertex));
 }
 
@@ -114,12 +138,15 @@ void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {
         if (m_frame.full()) m_frame.draw();
         m_frame.keep(m_state.fragment);
         const uint32_t last = std::min(first + step, primitives);
-        if (range.indices == nullptr || !draw_index_range(mode, range, first, last)) draw_positions(mode, range, first, last);
+        if (range.indices == nullptr || !draw_index_range(mode, range, first, last))
+            draw_positions(mode, range, first, last);
     }
 }
 
-// Shades each vertex of an indexed draw once, where the indices lie close enough together for that to be less work.
-bool PrimitiveAssembler::draw_index_range(PrimitiveMode mode, const VertexRange& range, uint32_t first, uint32_t last) {
+// Shades each vertex of an indexed draw once, where the indices lie close enough together for that to be less
+// work.
+bool PrimitiveAssembler::draw_index_range(PrimitiveMode mode, const VertexRange& range, uint32_t first,
+                                          uint32_t last) {
     const Positions at = positions_of(mode, first, last, range.count);
     const auto [low, high] = std::minmax_element(range.indices + at.first, range.indices + at.end);
     const uint32_t pivot = range.indices[0];
@@ -137,7 +164,8 @@ bool PrimitiveAssembler::draw_index_range(PrimitiveMode mode, const VertexRange&
 }
 
 // Shades the vertex at each position.
-void PrimitiveAssembler::draw_positions(PrimitiveMode mode, const VertexRange& range, uint32_t first, uint32_t last) {
+void PrimitiveAssembler::draw_positions(PrimitiveMode mode, const VertexRange& range, uint32_t first,
+                                        uint32_t last) {
     const Positions at = positions_of(mode, first, last, range.count);
     const uint32_t* const elements = range.indices ? range.indices + at.first : nullptr;
     m_chunk = {};
@@ -147,10 +175,12 @@ void PrimitiveAssembler::draw_positions(PrimitiveMode mode, const VertexRange& r
         // Sixteen slots at the end of the chunk, so that the vertex program can work on whole batches.
         m_chunk.pivot_slot = (m_shaded + 15) & ~15;
         m_pivot.reserve(column_count(m_state.vertex));
-        m_geometry.shade_vertices(m_state.vertex, m_input, range.indices, range.indices ? 0 : range.first, 1, m_pivot);
+        m_geometry.shade_vertices(m_state.vertex, m_input, range.indices, range.indices ? 0 : range.first, 1,
+                                  m_pivot);
         m_shaded = m_chunk.pivot_slot + 1;
     }
-    m_geometry.shade_vertices(m_state.vertex, m_input, elements, range.first + at.first, static_cast<int>(at.end - at.first), m_vertices);
+    m_geometry.shade_vertices(m_state.vertex, m_input, elements, range.first + at.first,
+                              static_cast<int>(at.end - at.first), m_vertices);
     if (m_chunk.pivot_slot >= 0) {
         for (int column = 0; column < column_count(m_state.vertex); ++column)
             m_vertices.column(column)[m_chunk.pivot_slot] = m_pivot.column(column)[0];
@@ -184,10 +214,12 @@ void PrimitiveAssembler::assemble(PrimitiveMode mode, uint32_t count, uint32_t f
             }
             break;
         case PrimitiveMode::kTriangleStrip:
-            for (uint32_t i = first; i < last; ++i) triangle(slot(i + (i & 1)), slot(i + 1 - (i & 1)), slot(i + 2), true, true, true);
+            for (uint32_t i = first; i < last; ++i)
+                triangle(slot(i + (i & 1)), slot(i + 1 - (i & 1)), slot(i + 2), true, true, true);
             break;
         case PrimitiveMode::kTriangleFan:
-            for (uint32_t i = first; i < last; ++i) triangle(slot(0), slot(i + 1), slot(i + 2), true, true, true);
+            for (uint32_t i = first; i < last; ++i)
+                triangle(slot(0), slot(i + 1), slot(i + 2), true, true, true);
             break;
         case PrimitiveMode::kQuads:
             for (uint32_t i = first; i < last; ++i) {
@@ -213,7 +245,8 @@ void PrimitiveAssembler::assemble(PrimitiveMode mode, uint32_t count, uint32_t f
     flush_triangles();
 }
 
-// Clipping is about to need slots: when the chunk's are used up, primitives that wait for theirs are set up first.
+// Clipping is about to need slots: when the chunk's are used up, primitives that wait for theirs are set up
+// first.
 void PrimitiveAssembler::make_room(int slots) {
     if (m_next_slot + slots <= ShadedVertices::kCapacity) return;
     flush_triangles();

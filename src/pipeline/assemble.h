@@ -1,6 +1,6 @@
-// Primitive assembly (GL 1.5 §2.6.1): a draw is cut into chunks of vertices, each chunk is shaded, and its points,
-// lines and triangles go on to clipping and set-up in order. Triangles are cut from quads and polygons as the reference
-// cuts them; the last vertex of each is the provoking one.
+// Primitive assembly (GL 1.5 §2.6.1): a draw is cut into chunks of vertices, each chunk is shaded, and its
+// points, lines and triangles go on to clipping and set-up in order. Triangles are cut from quads and
+// polygons as the reference cuts them; the last vertex of each is the provoking one.
 #pragma once
 
 #include "pipeline/clip.h"
@@ -19,10 +19,10 @@ class PrimitiveAssembler {
   private:
     // One chunk: where the vertex at a position of the draw stands among the shaded ones.
     struct Chunk {
-        uint32_t first_position = 0;       // of the contiguous part
-        uint32_t pivot_position = 0;       // of the one vertex outside it (fan centre, start of a loop)
+        uint32_t first_position = 0;  // of the contiguous part
+        uint32_t pivot_position = 0;  // of the one vertex outside it (fan centre, start of a loop)
         int pivot_slot = -1;
-        const uint32_t* indices = nullptr; // set where slots are index - index_base
+        const uint32_t* indices = nullptr;  // set where slots are index - index_base
         uint32_t index_base = 0;
     };
 
@@ -30,7 +30,9 @@ class PrimitiveAssembler {
     void draw_positions(PrimitiveMode mode, const VertexRange& range, uint32_t first, uint32_t last);
     void assemble(PrimitiveMode mode, uint32_t count, uint32_t first, uint32_t last);
     int slot(uint32_t position) const;
-    bool edge_flag(int slot) const { return !m_state.vertex.edge_flags || m_vertices.integers(kEdgeFlagColumn)[slot] != 0; }
+    bool edge_flag(int slot) const {
+        return !m_state.vertex.edge_flags || m_vertices.integers(kEdgeFlagColumn)[slot] != 0;
+    }
 
     void point(int v);
     // `restarts` is set where the line stipple starts anew.
@@ -61,8 +63,8 @@ class PrimitiveAssembler {
     Sink m_sink;
     Chunk m_chunk;
     ShadedVertices& m_pivot;  // holds the vertex of a fan or loop that a chunk does not contain
-    int m_shaded = 0;     // slots the vertex program filled
-    int m_next_slot = 0;  // first slot free for clipping
+    int m_shaded = 0;         // slots the vertex program filled
+    int m_next_slot = 0;      // first slot free for clipping
 };
 
 }  // namespace terrazzo::pipeline

@@ -10,7 +10,8 @@ namespace terrazzo::pipeline {
 namespace {
 
 // In the order of the outcode's bits.
-constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {0, 0, -1, 1}};
+constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
+                                 {0, 1, 0, 1},  {0, 0, 1, 1}, {0, 0, -1, 1}};
 
 int32_t snap(float window) {
     return static_cast<int32_t>(std::lrintf(std::clamp((window - 0.5f) * 256.0f, -8388608.0f, 8388608.0f)));
@@ -87,10 +88,11 @@ ClippedPolygon Clipper::clip(const int (&triangle)[3], const bool (&edges)[3], i
             if (crossing) {
                 const float denominator = current_distance - previous_distance;
                 const bool leaving = current_distance < 0;
-                const bool from_current =
-                    leaving ? -current_distance < previous_distance : !(-previous_distance < current_distance);
-                kept.vertices[kept.count] = from_current ? interpolate(current_distance / denominator, current, previous, slot)
-                                                         : interpolate(-previous_distance / denominator, previous, current, slot);
+                const bool from_current = leaving ? -current_distance < previous_distance
+                                                  : !(-previous_distance < current_distance);
+                kept.vertices[kept.count] =
+                    from_current ? interpolate(current_distance / denominator, current, previous, slot)
+                                 : interpolate(-previous_distance / denominator, previous, current, slot);
                 // Leaving, the next edge runs along the plane and is none of the outline.
                 kept.edges[kept.count++] = leaving ? false : edge;
             }

@@ -1,5 +1,6 @@
-// Clipping of triangles against the view volume and the user's planes (GL 1.5 §2.12), as the reference does it
-// (doc/reference.md §3): plane after plane, new vertices from the end nearer to the plane, the polygon fanned anew.
+// Clipping of triangles against the view volume and the user's planes (GL 1.5 §2.12), as the reference does
+// it (doc/reference.md §3): plane after plane, new vertices from the end nearer to the plane, the polygon
+// fanned anew.
 #pragma once
 
 #include <cstdint>

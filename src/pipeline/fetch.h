@@ -58,14 +58,30 @@ inline Wide4 fetch_converted(const AttributeStream& s, const ElementBatch& batch
     alignas(64) float out[4][16];
     for (int lane = 0; lane < 16; ++lane) out[1][lane] = out[2][lane] = 0, out[3][lane] = 1;
     switch (s.type) {
-        case ComponentType::kInt8: fetch_components<int8_t>(s, batch, out); break;
-        case ComponentType::kUint8: fetch_components<uint8_t>(s, batch, out); break;
-        case ComponentType::kInt16: fetch_components<int16_t>(s, batch, out); break;
-        case ComponentType::kUint16: fetch_components<uint16_t>(s, batch, out); break;
-        case ComponentType::kInt32: fetch_components<int32_t>(s, batch, out); break;
-        case ComponentType::kUint32: fetch_components<uint32_t>(s, batch, out); break;
-        case ComponentType::kFloat32: fetch_components<float>(s, batch, out); break;
-        case ComponentType::kFloat64: fetch_components<double>(s, batch, out); break;
+        case ComponentType::kInt8:
+            fetch_components<int8_t>(s, batch, out);
+            break;
+        case ComponentType::kUint8:
+            fetch_components<uint8_t>(s, batch, out);
+            break;
+        case ComponentType::kInt16:
+            fetch_components<int16_t>(s, batch, out);
+            break;
+        case ComponentType::kUint16:
+            fetch_components<uint16_t>(s, batch, out);
+            break;
+        case ComponentType::kInt32:
+            fetch_components<int32_t>(s, batch, out);
+            break;
+        case ComponentType::kUint32:
+            fetch_components<uint32_t>(s, batch, out);
+            break;
+        case ComponentType::kFloat32:
+            fetch_components<float>(s, batch, out);
+            break;
+        case ComponentType::kFloat64:
+            fetch_components<double>(s, batch, out);
+            break;
     }
     return {load(out[0]), load(out[1]), load(out[2]), load(out[3])};
 }
@@ -80,8 +96,10 @@ TERRAZZO_INLINE Wide4 fetch(const VertexInput& input, int attribute, const Eleme
     if (s.type != ComponentType::kFloat32 || batch.elements != nullptr || !aligned || s.stride > 4096)
         return fetch_converted(s, batch);
     // Consecutive floats: lanes are a constant stride apart.
-    const float* const base = reinterpret_cast<const float*>(s.data + static_cast<size_t>(batch.first) * s.stride);
-    const I32x16 index = min(lane_numbers(), I32x16(batch.count - 1)) * I32x16(static_cast<int32_t>(s.stride / sizeof(float)));
+    const float* const base =
+        reinterpret_cast<const float*>(s.data + static_cast<size_t>(batch.first) * s.stride);
+    const I32x16 index =
+        min(lane_numbers(), I32x16(batch.count - 1)) * I32x16(static_cast<int32_t>(s.stride / sizeof(float)));
     Wide4 v{gather(base, index), F32x16(0.0f), F32x16(0.0f), F32x16(1.0f)};
     if (s.components > 1) v.y = gather(base + 1, index);
     if (s.components > 2) v.z = gather(base + 2, index);

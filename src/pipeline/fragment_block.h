@@ -1,5 +1,5 @@
-// A fragment state with everything it points at, as one shared object: draws that are queued keep it alive, and so do
-// the images it samples.
+// A fragment state with everything it points at, as one shared object: draws that are queued keep it alive,
+// and so do the images it samples.
 #pragma once
 
 #include <memory>

@@ -31,7 +31,8 @@ bool outside_bin(const Primitive& primitive, int bin_x, int bin_y) {
 }  // namespace
 
 void Arena::next_block() {
-    if (m_used_blocks == m_blocks.size()) m_blocks.push_back(std::make_unique_for_overwrite<std::byte[]>(kBlockSize));
+    if (m_used_blocks == m_blocks.size())
+        m_blocks.push_back(std::make_unique_for_overwrite<std::byte[]>(kBlockSize));
     m_next = m_blocks[m_used_blocks++].get();
     m_left = kBlockSize;
 }
@@ -123,9 +124,18 @@ void Frame::draw() {
         if (m_commands <= kFewCommands) {
             for (const int bin : bins) draw_bin(bin);
         } else {
-            run_parallel(static_cast<int>(bins.size()), [&](int i) { draw_bin(bins[static_cast<size_t>(i)]); });
+            run_parallel(static_cast<int>(bins.size()),
+                         [&](int i) { draw_bin(bins[static_cast<size_t>(i)]); });
         }
     }
+    reset();
+}
+
+void Frame::draw(const std::function<void(int)>& finished) {
+    run_parallel(static_cast<int>(m_bins.size()), [&](int bin) {
+        draw_bin(bin);
+        finished(bin);
+    });
     reset();
 }
 

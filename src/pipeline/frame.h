@@ -1,11 +1,14 @@
-// A frame: the draws and clears that wait for their pixels, sorted into bins (sort-middle, [Frolov 2020 §2.2.2], row R-11).
+// A frame: the draws and clears that wait for their pixels, sorted into bins (sort-middle, [Frolov 2020
+// §2.2.2], row R-11).
 //
-// Set-up primitives, fragment states and bin lists live in the frame's arena; images that they refer to are kept alive
-// by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in the order of its list.
+// Set-up primitives, fragment states and bin lists live in the frame's arena; images that they refer to are
+// kept alive by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in
+// the order of its list.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -68,6 +71,10 @@ class Frame {
 
     // Draws everything queued, on all threads, and forgets it.
     void draw();
+    // The same, and hands each bin of the target over to `finished` as soon as its pixels are done, while
+    // they are still in the cache of the thread that drew them. `finished` may run on several threads at a
+    // time and must not throw.
+    void draw(const std::function<void(int bin)>& finished);
 
   private:
     // Bin lists are chunks of tagged pointers: bit 0 marks a clear.

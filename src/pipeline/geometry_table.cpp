@@ -4,9 +4,9 @@
 #include "raster/kernel_table.h"
 
 namespace terrazzo {
-#define TERRAZZO_DECLARE_ISA(isa) \
-    namespace isa_##isa {         \
-    extern const pipeline::GeometryTable kGeometryTable; \
+#define TERRAZZO_DECLARE_ISA(isa)                            \
+    namespace isa_##isa {                                    \
+        extern const pipeline::GeometryTable kGeometryTable; \
     }
 TERRAZZO_DECLARE_ISA(scalar)
 #ifdef TERRAZZO_HAVE_SSE4
@@ -28,18 +28,23 @@ namespace terrazzo::pipeline {
 const GeometryTable& geometry_of(simd::Isa isa) {
     switch (isa) {
 #ifdef TERRAZZO_HAVE_SSE4
-        case simd::Isa::kSse4: return isa_sse4::kGeometryTable;
+        case simd::Isa::kSse4:
+            return isa_sse4::kGeometryTable;
 #endif
 #ifdef TERRAZZO_HAVE_AVX2
-        case simd::Isa::kAvx2: return isa_avx2::kGeometryTable;
+        case simd::Isa::kAvx2:
+            return isa_avx2::kGeometryTable;
 #endif
 #ifdef TERRAZZO_HAVE_AVX512
-        case simd::Isa::kAvx512: return isa_avx512::kGeometryTable;
+        case simd::Isa::kAvx512:
+            return isa_avx512::kGeometryTable;
 #endif
 #ifdef TERRAZZO_HAVE_NEON
-        case simd::Isa::kNeon: return isa_neon::kGeometryTable;
+        case simd::Isa::kNeon:
+            return isa_neon::kGeometryTable;
 #endif
-        default: return isa_scalar::kGeometryTable;
+        default:
+            return isa_scalar::kGeometryTable;
     }
 }
 

@@ -39,11 +39,13 @@ struct PrimitiveSink {
 };
 
 struct GeometryTable {
-    // Shades the vertices `elements[0..count)` (or first, first + 1, ... where `elements` is null) into out[0..count).
-    void (*shade_vertices)(const VertexState&, const VertexInput&, const uint32_t* elements, uint32_t first, int count,
-                           ShadedVertices& out);
+    // Shades the vertices `elements[0..count)` (or first, first + 1, ... where `elements` is null) into
+    // out[0..count).
+    void (*shade_vertices)(const VertexState&, const VertexInput&, const uint32_t* elements, uint32_t first,
+                           int count, ShadedVertices& out);
     // Sets a batch up: culls, orients, computes planes and edges.
-    void (*setup_triangles)(const TriangleSetup&, const ShadedVertices&, const TriangleBatch&, PrimitiveSink&);
+    void (*setup_triangles)(const TriangleSetup&, const ShadedVertices&, const TriangleBatch&,
+                            PrimitiveSink&);
 };
 
 // The table that goes with raster::kernels().

@@ -12,20 +12,29 @@ using namespace pipeline;
 struct Wide3 {
     F32x16 x, y, z;
 };
-TERRAZZO_INLINE F32x16 dot(const Wide3& a, const Wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-TERRAZZO_INLINE Wide3 scale(const Wide3& v, F32x16 f) { return {v.x * f, v.y * f, v.z * f}; }
-TERRAZZO_INLINE Wide3 normalize(const Wide3& v) { return scale(v, F32x16(1.0f) / sqrt(dot(v, v))); }
+TERRAZZO_INLINE F32x16 dot(const Wide3& a, const Wide3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+TERRAZZO_INLINE Wide3 scale(const Wide3& v, F32x16 f) {
+    return {v.x * f, v.y * f, v.z * f};
+}
+TERRAZZO_INLINE Wide3 normalize(const Wide3& v) {
+    return scale(v, F32x16(1.0f) / sqrt(dot(v, v)));
+}
 
 struct WideMaterial {
     Wide4 ambient, diffuse, specular, emission;
     F32x16 shininess;
 };
 
-TERRAZZO_INLINE Wide4 wide(const float v[4]) { return {v[0], v[1], v[2], v[3]}; }
+TERRAZZO_INLINE Wide4 wide(const float v[4]) {
+    return {v[0], v[1], v[2], v[3]};
+}
 
-// The material of one face: its constants, what glMaterial set per vertex, and what follows the vertex colour.
-inline WideMaterial material_of(const Lighting& lighting, int face, const VertexInput& input, const ElementBatch& batch,
-                                const Wide4& color) {
+// The material of one face: its constants, what glMaterial set per vertex, and what follows the vertex
+// colour.
+inline WideMaterial material_of(const Lighting& lighting, int face, const VertexInput& input,
+                                const ElementBatch& batch, const Wide4& color) {
     const Material& m = lighting.materials[face];
     const ColorMaterial& follows = lighting.color_material[face];
     const int first = face == 0 ? kFrontAmbient : kBackAmbient;
@@ -66,9 +75,11 @@ inline void add_light(const Lighting& lighting, const Light& light, const Wide3&
         to_light = scale(offset, inverse);
         const float* const k = light.attenuation;
         if (k[0] != 1 || k[1] != 0 || k[2] != 0)
-            attenuation = one / (F32x16(k[0]) + F32x16(k[1]) * (distance2 * inverse) + F32x16(k[2]) * distance2);
+            attenuation =
+                one / (F32x16(k[0]) + F32x16(k[1]) * (distance2 * inverse) + F32x16(k[2]) * distance2);
         if (light.spot_cos_cutoff != -1) {
-            const F32x16 cosine = -dot(to_light, {light.direction[0], light.direction[1], light.direction[2]});
+            const F32x16 cosine =
+                -dot(to_light, {light.direction[0], light.direction[1], light.direction[2]});
             const F32x16 intensity = pow(max(cosine, zero), F32x16(light.spot_exponent));
             attenuation = select(cosine < F32x16(light.spot_cos_cutoff), zero, attenuation * intensity);
         }
@@ -91,8 +102,9 @@ inline void add_light(const Lighting& lighting, const Light& light, const Wide3&
     add_scaled(specular, material.specular, light.specular, shine);
 }
 
-inline LitColor light_vertices(const Lighting& lighting, int face, const VertexInput& input, const ElementBatch& batch,
-                               const Wide4& color, const Wide3& eye, const Wide3& front_normal) {
+inline LitColor light_vertices(const Lighting& lighting, int face, const VertexInput& input,
+                               const ElementBatch& batch, const Wide4& color, const Wide3& eye,
+                               const Wide3& front_normal) {
     const WideMaterial material = material_of(lighting, face, input, batch, color);
     const Wide3 normal = face == 0 ? front_normal : Wide3{-front_normal.x, -front_normal.y, -front_normal.z};
     Wide3 sum{material.emission.x, material.emission.y, material.emission.z}, specular{0.0f, 0.0f, 0.0f};

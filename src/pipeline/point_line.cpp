@@ -1,5 +1,5 @@
-// Points and lines (GL 1.5 §3.3, §3.4) as primitives: a point is a rectangle of pixels, a line a parallelogram of four
-// edges; and polygons drawn as either (§3.5.4).
+// Points and lines (GL 1.5 §3.3, §3.4) as primitives: a point is a rectangle of pixels, a line a
+// parallelogram of four edges; and polygons drawn as either (§3.5.4).
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -10,13 +10,16 @@ namespace terrazzo::pipeline {
 
 namespace {
 
-int32_t snap(float v) { return static_cast<int32_t>(std::lrintf(std::clamp(v * 256.0f, -8388608.0f, 8388608.0f))); }
+int32_t snap(float v) {
+    return static_cast<int32_t>(std::lrintf(std::clamp(v * 256.0f, -8388608.0f, 8388608.0f)));
+}
 
 }  // namespace
 
 raster::Primitive& PrimitiveAssembler::new_primitive(int edge_count, bool back_facing) {
     const int plane_count = 2 + m_setup.state->varyings.count;
-    raster::Primitive& p = *new (m_frame.arena().allocate(raster::Primitive::size_of(plane_count))) raster::Primitive;
+    raster::Primitive& p =
+        *new (m_frame.arena().allocate(raster::Primitive::size_of(plane_count))) raster::Primitive;
     p.state = m_setup.state;
     p.edge_count = static_cast<uint8_t>(edge_count);
     p.plane_count = static_cast<uint8_t>(plane_count);
@@ -32,7 +35,9 @@ void PrimitiveAssembler::point(int v) {
 void PrimitiveAssembler::set_up_point(int v) {
     const int32_t size = std::max((snap(m_state.raster.point_size) + 127) & ~255, 256) >> 8;
     const int32_t x = m_vertices.integers(kSnappedX)[v], y = m_vertices.integers(kSnappedY)[v];
-    const auto start = [&](int32_t center) { return size & 1 ? ((center + 128) >> 8) - (size - 1) / 2 : ((center + 255) >> 8) - size / 2; };
+    const auto start = [&](int32_t center) {
+        return size & 1 ? ((center + 128) >> 8) - (size - 1) / 2 : ((center + 255) >> 8) - size / 2;
+    };
     const int32_t x0 = start(x), y0 = start(y);
     raster::Primitive& p = new_primitive(0, false);
     p.x0 = static_cast<int16_t>(std::max(x0, m_setup.x0));
@@ -63,7 +68,8 @@ void PrimitiveAssembler::set_up_line(int a, int b) {
     const float half = std::max(1.0f, std::rint(m_state.raster.line_width)) * 0.5f;
     const bool x_major = std::fabs(dx) >= std::fabs(dy);
     const float ox = x_major ? 0 : half, oy = x_major ? half : 0;
-    float cx[4] = {x[0] - ox, x[1] - ox, x[1] + ox, x[0] + ox}, cy[4] = {y[0] - oy, y[1] - oy, y[1] + oy, y[0] + oy};
+    float cx[4] = {x[0] - ox, x[1] - ox, x[1] + ox, x[0] + ox},
+          cy[4] = {y[0] - oy, y[1] - oy, y[1] + oy, y[0] + oy};
     const bool reversed = x_major ? dx < 0 : dy > 0;
     if (reversed) std::swap(cx[1], cx[3]), std::swap(cy[1], cy[3]);
     int32_t px[4], py[4];
@@ -94,7 +100,8 @@ void PrimitiveAssembler::set_up_line(int a, int b) {
     plane(0, m_vertices.column(kWindowZ)[a], m_vertices.column(kWindowZ)[b]);
     plane(1, wa, wb);
     for (int i = 0; i < p.plane_count - 2; ++i)
-        plane(2 + i, m_vertices.column(kFirstVarying + i)[a] * wa, m_vertices.column(kFirstVarying + i)[b] * wb);
+        plane(2 + i, m_vertices.column(kFirstVarying + i)[a] * wa,
+              m_vertices.column(kFirstVarying + i)[b] * wb);
     m_frame.add(p);
 }
 

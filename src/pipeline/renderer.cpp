@@ -9,7 +9,8 @@ void Renderer::set_target(std::shared_ptr<raster::Target> target) {
     if (target != m_frame.target()) m_frame.begin(std::move(target));
 }
 
-void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode, const VertexRange& range) {
+void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
+                    const VertexRange& range) {
     if (m_frame.target() == nullptr) return;
     PrimitiveAssembler(m_frame, m_vertices, m_pivot, state, input).draw(mode, range);
 }
@@ -20,6 +21,13 @@ void Renderer::clear(const raster::BinClear& clear) {
     m_frame.add(clear);
 }
 
-void Renderer::finish() { m_frame.draw(); }
+void Renderer::finish() {
+    m_frame.draw();
+}
+
+void Renderer::finish(PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
+    if (m_frame.target() == nullptr) return;
+    m_frame.draw([&](int bin) { resolve_bin(*m_frame.target(), bin, layout, row0, stride); });
+}
 
 }  // namespace terrazzo::pipeline

@@ -1,7 +1,8 @@
 // The way of a draw: from vertices to primitives in the bins of a frame, and of a frame to pixels.
 //
-// One renderer belongs to one context and is used by one thread at a time. Draws are queued; `finish` makes them pixels.
-// Texture images and other objects that a draw's states point at are kept by the frame until then.
+// One renderer belongs to one context and is used by one thread at a time. Draws are queued; `finish` makes
+// them pixels. Texture images and other objects that a draw's states point at are kept by the frame until
+// then.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include "pipeline/fragment_block.h"
 #include "pipeline/frame.h"
 #include "pipeline/geometry_table.h"
+#include "pipeline/resolve.h"
 #include "pipeline/vertex_input.h"
 #include "pipeline/vertex_state.h"
 
@@ -64,6 +66,8 @@ class Renderer {
     void clear(const raster::BinClear& clear);
     // Draws everything that is queued.
     void finish();
+    // The same, with the picture copied out (pipeline/resolve.h) bin by bin as it is finished.
+    void finish(PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
 
   private:
     Frame m_frame;

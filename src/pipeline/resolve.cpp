@@ -87,21 +87,17 @@ struct Rows {
     int width, height;  // of the part of the bin that is in the target
 };
 
+// Row after row, so that each line of the picture's memory is written at once.
 template <class Layout>
 void copy_tiles(const Bin& bin, const Rows& rows) {
-    for (int y = 0; y < rows.height; y += kTileSize) {
-        const int tile_rows = std::min(kTileSize, rows.height - y);
-        for (int x = 0; x < rows.width; x += kTileSize) {
-            const int count = std::min(kTileSize, rows.width - x);
-            std::byte* out = rows.first + y * rows.stride + std::ptrdiff_t{x} * Layout::kPixelBytes;
-            const int tile = raster::pixel_index(x, y);
-            if (tile_rows == kTileSize && count == kTileSize) {
-                for (int r = 0; r < kTileSize; ++r)
-                    Layout::store(bin, tile + r * kTileSize, kTileSize, out + r * rows.stride);
-            } else {
-                for (int r = 0; r < tile_rows; ++r)
-                    Layout::store(bin, tile + r * kTileSize, count, out + r * rows.stride);
-            }
+    const int whole_width = rows.width & ~(kTileSize - 1);
+    for (int y = 0; y < rows.height; ++y) {
+        std::byte* const out = rows.first + y * rows.stride;
+        for (int x = 0; x < whole_width; x += kTileSize)
+            Layout::store(bin, raster::pixel_index(x, y), kTileSize, out + std::ptrdiff_t{x} * Layout::kPixelBytes);
+        if (whole_width < rows.width) {
+            Layout::store(bin, raster::pixel_index(whole_width, y), rows.width - whole_width,
+                          out + std::ptrdiff_t{whole_width} * Layout::kPixelBytes);
         }
     }
 }
@@ -162,10 +158,6 @@ void resolve_bin(Target& target, int bin, PixelLayout layout, std::byte* row0, s
         case PixelLayout::kDepth24Stencil8:
             return copy_bin<Depth24Stencil8>(target, bin, row0, stride);
     }
-}
-
-void resolve(Target& target, PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
-    for (int bin = 0; bin < target.bin_count(); ++bin) resolve_bin(target, bin, layout, row0, stride);
 }
 
 }  // namespace terrazzo::pipeline

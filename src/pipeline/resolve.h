@@ -50,10 +50,8 @@ constexpr int bytes_per_pixel(PixelLayout layout) {
     return 0;
 }
 
-// `row0` is where the target's row 0 goes, the others follow `stride` bytes apart.
-void resolve(raster::Target& target, PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
-
-// The part of the picture that lies in one bin. Different bins may be resolved by different threads.
+// The part of the picture that lies in one bin. `row0` is where the target's row 0 goes, the others follow
+// `stride` bytes apart. Different bins may be resolved by different threads.
 void resolve_bin(raster::Target& target, int bin, PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
 
 }  // namespace terrazzo::pipeline

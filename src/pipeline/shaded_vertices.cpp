@@ -6,7 +6,9 @@
 
 namespace terrazzo::pipeline {
 
-void ShadedVertices::Free::operator()(float* memory) const { std::free(memory); }
+void ShadedVertices::Free::operator()(float* memory) const {
+    std::free(memory);
+}
 
 void ShadedVertices::reserve(int columns) {
     if (columns <= m_columns) return;

@@ -33,7 +33,9 @@ enum Attribute : uint8_t {
     kAttributeCount,
 };
 using AttributeMask = uint32_t;
-constexpr AttributeMask bit(int attribute) { return 1u << attribute; }
+constexpr AttributeMask bit(int attribute) {
+    return 1u << attribute;
+}
 static_assert(kAttributeCount <= 32);
 
 struct AttributeStream {

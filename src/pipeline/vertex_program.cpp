@@ -1,7 +1,8 @@
-// The vertex program: fetch, transform, light, texgen, 16 vertices at a time, into the columns of ShadedVertices.
+// The vertex program: fetch, transform, light, texgen, 16 vertices at a time, into the columns of
+// ShadedVertices.
 //
-// Clip and window coordinates are the reference's bit for bit (doc/reference.md §2): products and sums of the matrix product
-// are rounded one by one, the viewport is one fused step.
+// Clip and window coordinates are the reference's bit for bit (doc/reference.md §2): products and sums of the
+// matrix product are rounded one by one, the viewport is one fused step.
 #include "pipeline/geometry_table.h"
 #include "pipeline/setup_triangles.h"
 #include "pipeline/texgen.h"
@@ -40,7 +41,8 @@ I32x16 snap(F32x16 window) {
 void store_position(const VertexState& state, const Wide4& clip, ShadedVertices& out, int at) {
     const F32x16 oow = F32x16(1.0f) / clip.w;
     const auto window = [&](F32x16 c, int axis) {
-        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]), F32x16(state.viewport_translate[axis]));
+        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]),
+                                         F32x16(state.viewport_translate[axis]));
     };
     const F32x16 x = window(clip.x, 0), y = window(clip.y, 1), z = window(clip.z, 2);
     store(clip.x, out.column(kClipX) + at);
@@ -57,7 +59,9 @@ void store_position(const VertexState& state, const Wide4& clip, ShadedVertices&
 }
 
 // min first: a colour that is not a number becomes 1.
-F32x16 clamp_color(F32x16 c) { return max(min(c, F32x16(1.0f)), F32x16(0.0f)); }
+F32x16 clamp_color(F32x16 c) {
+    return max(min(c, F32x16(1.0f)), F32x16(0.0f));
+}
 
 void store_color(const Wide4& c, ShadedVertices& out, int column, int at) {
     const F32x16 channels[4] = {c.x, c.y, c.z, c.w};
@@ -78,8 +82,8 @@ Wide3 transform_normal(const VertexState& state, const Wide4& n) {
     return out;
 }
 
-void store_colors(const VertexState& state, const VertexInput& input, const ElementBatch& batch, const Wide4& eye,
-                  const Wide3& normal, ShadedVertices& out, int at) {
+void store_colors(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
+                  const Wide4& eye, const Wide3& normal, ShadedVertices& out, int at) {
     const raster::Varyings& v = state.varyings;
     const Wide4 color = fetch(input, kColor, batch);
     const Lighting& lighting = state.lighting;
@@ -92,7 +96,8 @@ void store_colors(const VertexState& state, const VertexInput& input, const Elem
         return;
     }
     for (int face = 0; face < (lighting.two_sided ? 2 : 1); ++face) {
-        const LitColor lit = light_vertices(lighting, face, input, batch, color, {eye.x, eye.y, eye.z}, normal);
+        const LitColor lit =
+            light_vertices(lighting, face, input, batch, color, {eye.x, eye.y, eye.z}, normal);
         const int base = kFirstVarying + (face == 0 ? 0 : v.count);
         store_color(lit.color, out, base + v.color, at);
         if (v.secondary >= 0) store_secondary(lit.specular, out, base + v.secondary, at);
@@ -119,8 +124,8 @@ bool needs_eye(const VertexState& state) {
     return false;
 }
 
-void shade_batch(const VertexState& state, const VertexInput& input, const ElementBatch& batch, ShadedVertices& out,
-                 int at) {
+void shade_batch(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
+                 ShadedVertices& out, int at) {
     const raster::Varyings& v = state.varyings;
     const Wide4 position = fetch(input, kPosition, batch);
     store_position(state, transform(state.mvp, position), out, at);
@@ -130,13 +135,15 @@ void shade_batch(const VertexState& state, const VertexInput& input, const Eleme
     if (needs_normal(state)) source.normal = transform_normal(state, fetch(input, kNormal, batch));
     if (v.color >= 0) store_colors(state, input, batch, source.eye, source.normal, out, at);
     if (v.fog >= 0) {
-        const F32x16 distance = state.fog_from_coordinate ? fetch(input, kFogCoordinate, batch).x : abs(source.eye.z);
+        const F32x16 distance =
+            state.fog_from_coordinate ? fetch(input, kFogCoordinate, batch).x : abs(source.eye.z);
         store(distance, out.column(kFirstVarying + v.fog) + at);
     }
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
         const int first = v.texture[static_cast<size_t>(unit)];
         if (first < 0) continue;
-        const Wide4 c = texture_coordinates(state.texture[static_cast<size_t>(unit)], fetch(input, kTexture0 + unit, batch), source);
+        const Wide4 c = texture_coordinates(state.texture[static_cast<size_t>(unit)],
+                                            fetch(input, kTexture0 + unit, batch), source);
         store(c.x, out.column(kFirstVarying + first) + at);
         store(c.y, out.column(kFirstVarying + first + 1) + at);
         if (!(v.projective >> unit & 1)) continue;
@@ -149,10 +156,11 @@ void shade_batch(const VertexState& state, const VertexInput& input, const Eleme
     }
 }
 
-void shade_vertices(const VertexState& state, const VertexInput& input, const uint32_t* elements, uint32_t first, int count,
-                    ShadedVertices& out) {
+void shade_vertices(const VertexState& state, const VertexInput& input, const uint32_t* elements,
+                    uint32_t first, int count, ShadedVertices& out) {
     for (int at = 0; at < count; at += 16) {
-        const ElementBatch batch{elements ? elements + at : nullptr, first + static_cast<uint32_t>(at), std::min(count - at, 16)};
+        const ElementBatch batch{elements ? elements + at : nullptr, first + static_cast<uint32_t>(at),
+                                 std::min(count - at, 16)};
         shade_batch(state, input, batch, out, at);
     }
 }

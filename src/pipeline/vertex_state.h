@@ -1,5 +1,5 @@
-// What a vertex goes through, as plain data (GL 1.5 chapter 2): made by src/gl/validate.cpp, used up by the draw it is
-// passed to. Matrices are column-major as GL has them.
+// What a vertex goes through, as plain data (GL 1.5 chapter 2): made by src/gl/validate.cpp, used up by the
+// draw it is passed to. Matrices are column-major as GL has them.
 #pragma once
 
 #include <array>
@@ -62,12 +62,12 @@ struct VertexState {
     float normal_matrix[9];  // columns of the inverse transpose's upper 3x3
     bool affine = false;     // the last row of mvp is 0 0 0 1
     float viewport_scale[3], viewport_translate[3];
-    uint32_t clip_plane_mask = 0;                 // bit p: plane p is enabled
-    float clip_planes[kMaxClipPlanes][4] = {};    // in clip coordinates
+    uint32_t clip_plane_mask = 0;               // bit p: plane p is enabled
+    float clip_planes[kMaxClipPlanes][4] = {};  // in clip coordinates
     NormalScaling normal_scaling = NormalScaling::kNone;
     float rescale_factor = 1;
     Lighting lighting;
-    bool edge_flags = false;  // polygons may be drawn unfilled
+    bool edge_flags = false;           // polygons may be drawn unfilled
     bool fog_from_coordinate = false;  // else from the eye distance
     std::array<TextureCoordinates, kMaxTextureUnits> texture;
     raster::Varyings varyings;

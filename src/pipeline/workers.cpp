@@ -68,7 +68,9 @@ void Pool::run(int threads, int count, const std::function<void(int)>& work) {
 void Pool::serve() {
     std::unique_lock lock(m_mutex);
     for (;;) {
-        m_wake.wait(lock, [this] { return m_stop || (m_work != nullptr && m_next.load(std::memory_order_relaxed) < m_count); });
+        m_wake.wait(lock, [this] {
+            return m_stop || (m_work != nullptr && m_next.load(std::memory_order_relaxed) < m_count);
+        });
         if (m_stop) return;
         const std::function<void(int)>& work = *m_work;
         const int count = m_count;
@@ -97,8 +99,9 @@ Pool& pool() {
     const std::lock_guard lock(g_pool_mutex);
     if (g_pool == nullptr) {
         g_pool = new Pool;
-        static const int registered = pthread_atfork([] { g_pool_mutex.lock(); }, [] { g_pool_mutex.unlock(); },
-                                                     [] { g_pool = nullptr, g_pool_mutex.unlock(); });
+        static const int registered =
+            pthread_atfork([] { g_pool_mutex.lock(); }, [] { g_pool_mutex.unlock(); },
+                           [] { g_pool = nullptr, g_pool_mutex.unlock(); });
         static_cast<void>(registered);
     }
     return *g_pool;

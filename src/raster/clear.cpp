@@ -31,7 +31,8 @@ void clear_color(const BinClear& clear, ColorFormat format, std::byte* pixel) {
 }  // namespace
 
 bool clears_whole_bin(const BinClear& clear, const Target& target, int bin_x, int bin_y) {
-    const bool covered = clear.x0 <= bin_x && clear.y0 <= bin_y && clear.x1 >= std::min(bin_x + kBinSize, target.width()) &&
+    const bool covered = clear.x0 <= bin_x && clear.y0 <= bin_y &&
+                         clear.x1 >= std::min(bin_x + kBinSize, target.width()) &&
                          clear.y1 >= std::min(bin_y + kBinSize, target.height());
     return covered && (!clear.planes.color || clear.color_mask == 0xf) &&
            (!clear.planes.stencil || clear.stencil_mask == 0xff);
@@ -48,7 +49,8 @@ void clear_bin(const BinClear& clear, Target& target, int index) {
     for (int y = std::max<int>(clear.y0 - bin.y, 0); y < std::min<int>(clear.y1 - bin.y, kBinSize); ++y) {
         for (int x = std::max<int>(clear.x0 - bin.x, 0); x < std::min<int>(clear.x1 - bin.x, kBinSize); ++x) {
             const size_t i = static_cast<size_t>(pixel_index(x, y));
-            if (clear.planes.color) clear_color(clear, format, bin.color + i * static_cast<size_t>(bytes_per_pixel(format)));
+            if (clear.planes.color)
+                clear_color(clear, format, bin.color + i * static_cast<size_t>(bytes_per_pixel(format)));
             if (clear.planes.depth && bin.depth) bin.depth[i] = clear.values.depth;
             if (clear.planes.stencil && bin.stencil)
                 bin.stencil[i] = static_cast<uint8_t>((bin.stencil[i] & ~clear.stencil_mask) |

@@ -1,5 +1,5 @@
-// Colours of one pixel in each ColorFormat, for clears and read-back: the kernels have their own wide versions in
-// pixel/write.h that give the same bits.
+// Colours of one pixel in each ColorFormat, for clears and read-back: the kernels have their own wide
+// versions in pixel/write.h that give the same bits.
 #pragma once
 
 #include <cmath>
@@ -25,9 +25,9 @@ inline void encode_color(ColorFormat format, const float color[4], std::byte* ou
             return;
         }
         case ColorFormat::kRgb565: {
-            const uint16_t packed = static_cast<uint16_t>(float_to_unorm(color[0], 31) << 11 |
-                                                          float_to_unorm(color[1], 63) << 5 |
-                                                          float_to_unorm(color[2], 31));
+            const uint16_t packed =
+                static_cast<uint16_t>(float_to_unorm(color[0], 31) << 11 | float_to_unorm(color[1], 63) << 5 |
+                                      float_to_unorm(color[2], 31));
             std::memcpy(out, &packed, sizeof packed);
             return;
         }
@@ -37,7 +37,9 @@ inline void encode_color(ColorFormat format, const float color[4], std::byte* ou
             std::memcpy(out, packed, sizeof packed);
             return;
         }
-        case ColorFormat::kRgba32F: std::memcpy(out, color, 4 * sizeof(float)); return;
+        case ColorFormat::kRgba32F:
+            std::memcpy(out, color, 4 * sizeof(float));
+            return;
     }
 }
 
@@ -47,12 +49,20 @@ inline void fill_color(ColorFormat format, const float color[4], std::byte* out,
     encode_color(format, color, pixel);
     uint32_t words[4];
     switch (format) {
-        case ColorFormat::kRgba8: std::memcpy(words, pixel, 4); break;
-        case ColorFormat::kRgb565: std::memcpy(words, pixel, 2), std::memcpy(reinterpret_cast<std::byte*>(words) + 2, pixel, 2); break;
-        case ColorFormat::kRgba16: std::memcpy(words, pixel, 8); break;
-        case ColorFormat::kRgba32F: std::memcpy(words, pixel, 16); break;
+        case ColorFormat::kRgba8:
+            std::memcpy(words, pixel, 4);
+            break;
+        case ColorFormat::kRgb565:
+            std::memcpy(words, pixel, 2), std::memcpy(reinterpret_cast<std::byte*>(words) + 2, pixel, 2);
+            break;
+        case ColorFormat::kRgba16:
+            std::memcpy(words, pixel, 8);
+            break;
+        case ColorFormat::kRgba32F:
+            std::memcpy(words, pixel, 16);
+            break;
     }
-    const size_t bytes = count * (format == ColorFormat::kRgba8     ? 4
+    const size_t bytes = count * (format == ColorFormat::kRgba8    ? 4
                                   : format == ColorFormat::kRgb565 ? 2
                                   : format == ColorFormat::kRgba16 ? 8
                                                                    : 16);

@@ -1,10 +1,10 @@
-// Half-space traversal of one bin [Pineda 1988; Frolov 2020 §2.2, rows ]: which tiles a primitive touches,
-// and which of their pixels.
+// Half-space traversal of one bin [Pineda 1988; Frolov 2020 §2.2, rows ]: which tiles a primitive
+// touches, and which of their pixels.
 //
-// A row of the bin's tiles is tested at once, one lane a tile: an edge function at the tile's most favourable corner
-// rejects it, at its least favourable corner accepts it. What remains is tested pixel by pixel, again in 16 lanes.
-// All of it is 32-bit arithmetic relative to the bin's corner: where an edge does not cross the bin its value is
-// clamped, which keeps its sign.
+// A row of the bin's tiles is tested at once, one lane a tile: an edge function at the tile's most favourable
+// corner rejects it, at its least favourable corner accepts it. What remains is tested pixel by pixel, again
+// in 16 lanes. All of it is 32-bit arithmetic relative to the bin's corner: where an edge does not cross the
+// bin its value is clamped, which keeps its sign.
 #pragma once
 
 #include <algorithm>
@@ -34,16 +34,18 @@ using namespace raster;
 
 // An edge relative to a bin.
 struct BinEdge {
-    int32_t at_row;       // value at the first pixel of the current tile row
+    int32_t at_row;  // value at the first pixel of the current tile row
     int32_t step_x, step_y;
     int32_t best, worst;  // what the most and the least favourable pixel of a tile add to its first pixel
 };
 
-// Beyond this an edge cannot change its sign within a bin: a step is below 2^23 and a bin has 64 pixels each way.
+// Beyond this an edge cannot change its sign within a bin: a step is below 2^23 and a bin has 64 pixels each
+// way.
 inline constexpr int64_t kEdgeLimit = int64_t{1} << 30;
 
 TERRAZZO_INLINE BinEdge edge_in_bin(const Edge& edge, int bin_x, int bin_y, int first_row) {
-    const int64_t corner = edge.c + int64_t{edge.step_x} * bin_x + int64_t{edge.step_y} * (bin_y + first_row * kTileSize);
+    const int64_t corner =
+        edge.c + int64_t{edge.step_x} * bin_x + int64_t{edge.step_y} * (bin_y + first_row * kTileSize);
     BinEdge e;
     e.at_row = static_cast<int32_t>(std::clamp(corner, -kEdgeLimit, kEdgeLimit));
     e.step_x = edge.step_x;
@@ -77,8 +79,8 @@ TERRAZZO_INLINE void cover_bin(const Primitive& primitive, const Bin& bin, TileL
 
     constexpr int kArray = kEdges == 0 ? 1 : kEdges;
     BinEdge edges[kArray];
-    I32x16 in_tile[kArray];   // what each pixel adds to its tile's first
-    I32x16 along_row[kArray]; // what each tile adds to the row's first
+    I32x16 in_tile[kArray];    // what each pixel adds to its tile's first
+    I32x16 along_row[kArray];  // what each tile adds to the row's first
     for (int e = 0; e < kEdges; ++e) {
         edges[e] = edge_in_bin(primitive.edges[e], bin.x, bin.y, first_row);
         along_row[e] = lane_numbers() * I32x16(edges[e].step_x * kTileSize);
@@ -97,7 +99,8 @@ TERRAZZO_INLINE void cover_bin(const Primitive& primitive, const Bin& bin, TileL
             touched &= ~sign_bits(rejects);
             partial = sign_bits(accepts);
         }
-        const uint32_t rows = row == first_row || row == last_row ? spread_rows(span_bits(row * 4, y0, y1)) : 0xffffu;
+        const uint32_t rows =
+            row == first_row || row == last_row ? spread_rows(span_bits(row * 4, y0, y1)) : 0xffffu;
         while (touched != 0) {
             const int column = std::countr_zero(touched);
             touched &= touched - 1;
@@ -107,11 +110,13 @@ TERRAZZO_INLINE void cover_bin(const Primitive& primitive, const Bin& bin, TileL
             if (partial >> column & 1) {
                 I32x16 outside(0);
                 for (int e = 0; e < kEdges; ++e)
-                    outside = outside | (in_tile[e] + I32x16(edges[e].at_row + column * kTileSize * edges[e].step_x));
+                    outside = outside |
+                              (in_tile[e] + I32x16(edges[e].at_row + column * kTileSize * edges[e].step_x));
                 mask &= ~sign_bits(outside);
             }
             if (mask == 0) continue;
-            list.entries[list.count++] = {static_cast<uint16_t>(row * kTilesAcross + column), static_cast<uint16_t>(mask)};
+            list.entries[list.count++] = {static_cast<uint16_t>(row * kTilesAcross + column),
+                                          static_cast<uint16_t>(mask)};
         }
         for (int e = 0; e < kEdges; ++e) edges[e].at_row += kTileSize * edges[e].step_y;
     }

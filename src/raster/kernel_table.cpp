@@ -5,9 +5,9 @@
 
 #include "simd/isa.h"
 
-#define TERRAZZO_DECLARE_ISA(isa) \
-    namespace isa_##isa {         \
-    extern const raster::KernelTable kKernelTable; \
+#define TERRAZZO_DECLARE_ISA(isa)                      \
+    namespace isa_##isa {                              \
+        extern const raster::KernelTable kKernelTable; \
     }
 
 namespace terrazzo {

@@ -23,7 +23,7 @@ struct BinClear {
     ClearPlanes planes;
     ClearValues values;
     int16_t x0, y0, x1, y1;
-    uint8_t color_mask;    // bit 0 red ... bit 3 alpha
+    uint8_t color_mask;  // bit 0 red ... bit 3 alpha
     uint8_t stencil_mask;
 };
 
@@ -33,9 +33,12 @@ struct KernelTable {
     TileKernel (*select_kernel)(const FragmentKey&);
     // Draws one primitive into one bin, whose planes are materialised.
     void (*draw_primitive)(const Primitive&, Bin&);
+    // Stores `value` in `count` words, a multiple of 16, from a 64-byte boundary on.
+    void (*fill)(uint32_t* to, uint32_t value, size_t count);
 };
 
-// The table in use: the best for this processor, or what TERRAZZO_ISA asks for where it can be had. Chosen once.
+// The table in use: the best for this processor, or what TERRAZZO_ISA asks for where it can be had. Chosen
+// once.
 const KernelTable& kernels();
 
 // Every table this processor can run, best first; for tests that compare them.

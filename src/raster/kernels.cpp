@@ -11,11 +11,13 @@ void general_kernel(const FragmentState& state, const Primitive& primitive, Bin&
 }
 
 template <FragmentKey kKey>
-void specialised_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin, const TileList& list) {
+void specialised_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin,
+                        const TileList& list) {
     shade_tiles(ConstantKey<kKey>{}, state, primitive, bin, list);
 }
 
-constexpr FragmentKey hot_key(bool depth, Compare func, bool perspective, bool interpolated_color, TextureKind texture) {
+constexpr FragmentKey hot_key(bool depth, Compare func, bool perspective, bool interpolated_color,
+                              TextureKind texture) {
     FragmentKey key;
     key.depth_test = key.depth_write = depth;
     key.depth_func = func;
@@ -57,12 +59,23 @@ TileKernel select_kernel(const FragmentKey& key) {
     return general_kernel;
 }
 
+void fill(uint32_t* to, uint32_t value, size_t count) {
+    const I32x16 wide(static_cast<int32_t>(value));
+    for (size_t i = 0; i < count; i += 16) store(wide, to + i);
+}
+
 void draw_primitive(const Primitive& primitive, Bin& bin) {
     TileList list;
     switch (primitive.edge_count) {
-        case 0: cover_bin<0>(primitive, bin, list); break;
-        case 3: cover_bin<3>(primitive, bin, list); break;
-        default: cover_bin<4>(primitive, bin, list); break;
+        case 0:
+            cover_bin<0>(primitive, bin, list);
+            break;
+        case 3:
+            cover_bin<3>(primitive, bin, list);
+            break;
+        default:
+            cover_bin<4>(primitive, bin, list);
+            break;
     }
     if (list.count != 0) primitive.state->kernel(*primitive.state, primitive, bin, list);
 }
@@ -70,6 +83,6 @@ void draw_primitive(const Primitive& primitive, Bin& bin) {
 }  // namespace
 
 extern const KernelTable kKernelTable;
-const KernelTable kKernelTable = {simd::Isa::TERRAZZO_ISA_ENUM, select_kernel, draw_primitive};
+const KernelTable kKernelTable = {simd::Isa::TERRAZZO_ISA_ENUM, select_kernel, draw_primitive, fill};
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -1,8 +1,10 @@
-// A primitive after set-up: a convex polygon of up to four edges within a pixel rectangle, with one plane a varying.
+// A primitive after set-up: a convex polygon of up to four edges within a pixel rectangle, with one plane a
+// varying.
 //
-// Written by src/pipeline/setup, read by the traversal and the pixel kernels; plain data in the frame's memory. The
-// header is followed by 3 * (2 + varyings.count) floats, rounded up to 16 bytes: a0 of every plane, then d/dx of
-// every plane, then d/dy. Plane 0 is z, plane 1 is 1/w, then the varyings (multiplied by 1/w where perspective).
+// Written by src/pipeline/setup, read by the traversal and the pixel kernels; plain data in the frame's
+// memory. The header is followed by 3 * (2 + varyings.count) floats, rounded up to 16 bytes: a0 of every
+// plane, then d/dx of every plane, then d/dy. Plane 0 is z, plane 1 is 1/w, then the varyings (multiplied by
+// 1/w where perspective).
 #pragma once
 
 #include <cstdint>
@@ -11,9 +13,10 @@
 
 namespace terrazzo::raster {
 
-// The half plane E(x, y) = c + step_x * x + step_y * y >= 0 over pixel coordinates x, y: the pixel centre is inside. Fixed
-// point with 8 sub-pixel bits; the fill rule is folded into c, and c has been divided by 256 (rounded down), which does
-// not move the sign at any pixel because a step by one pixel changes E by a multiple of 256 sub-pixel units.
+// The half plane E(x, y) = c + step_x * x + step_y * y >= 0 over pixel coordinates x, y: the pixel centre is
+// inside. Fixed point with 8 sub-pixel bits; the fill rule is folded into c, and c has been divided by 256
+// (rounded down), which does not move the sign at any pixel because a step by one pixel changes E by a
+// multiple of 256 sub-pixel units.
 struct Edge {
     int64_t c;
     int32_t step_x;  // E(x + 1, y) - E(x, y)

@@ -8,10 +8,13 @@
 #include <new>
 
 #include "raster/color_format.h"
+#include "raster/kernel_table.h"
 
 namespace terrazzo::raster {
 
-void Target::FreeDeleter::operator()(void* memory) const { std::free(memory); }
+void Target::FreeDeleter::operator()(void* memory) const {
+    std::free(memory);
+}
 
 template <class T>
 Target::Plane<T> Target::allocate_plane(size_t count) {
@@ -66,8 +69,16 @@ void Target::materialize(int index) {
     BinState& info = state(index);
     if (!info.pending.color && !info.pending.depth && !info.pending.stencil) return;
     const Bin planes = bin(index);
-    if (info.pending.color) fill_color(m_format.color, info.clear.color, planes.color, kBinPixels);
-    if (info.pending.depth) std::fill_n(planes.depth, kBinPixels, info.clear.depth);
+    if (info.pending.color) {
+        if (m_format.color == ColorFormat::kRgba8) {
+            uint32_t pixel;
+            encode_color(m_format.color, info.clear.color, reinterpret_cast<std::byte*>(&pixel));
+            kernels().fill(reinterpret_cast<uint32_t*>(planes.color), pixel, kBinPixels);
+        } else {
+            fill_color(m_format.color, info.clear.color, planes.color, kBinPixels);
+        }
+    }
+    if (info.pending.depth) kernels().fill(planes.depth, info.clear.depth, kBinPixels);
     if (info.pending.stencil) std::memset(planes.stencil, info.clear.stencil, kBinPixels);
     info.pending = {};
 }

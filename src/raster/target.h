@@ -1,11 +1,12 @@
 // A render target: colour, depth and stencil in two-level tiles [Frolov 2020 §3, row R-13].
 //
-// Row 0 is the first row in memory: the top of a window, the bottom of a frame buffer object, as the reference has it
-// (it decides how vertices snap). The target is cut into bins of 64x64 pixels, row by row; a bin's planes are contiguous, its 4x4
-// tiles follow one another row by row, the 16 pixels of a tile likewise. Colour is what ColorFormat says, depth is one
-// uint32 a pixel holding depth_bits significant bits (whatever their number), stencil one byte a pixel.
-// A clear of the whole target only marks its bins; a bin is filled when it is first touched.
-// Not synchronised: at any time a bin belongs to one thread, and the target's owner keeps readers and frames apart.
+// Row 0 is the first row in memory: the top of a window, the bottom of a frame buffer object, as the
+// reference has it (it decides how vertices snap). The target is cut into bins of 64x64 pixels, row by row; a
+// bin's planes are contiguous, its 4x4 tiles follow one another row by row, the 16 pixels of a tile likewise.
+// Colour is what ColorFormat says, depth is one uint32 a pixel holding depth_bits significant bits (whatever
+// their number), stencil one byte a pixel. A clear of the whole target only marks its bins; a bin is filled
+// when it is first touched. Not synchronised: at any time a bin belongs to one thread, and the target's owner
+// keeps readers and frames apart.
 #pragma once
 
 #include <cstddef>
@@ -26,10 +27,14 @@ inline constexpr int kTilesAcross = kBinSize / kTileSize;
 
 constexpr int bytes_per_pixel(ColorFormat format) {
     switch (format) {
-        case ColorFormat::kRgba8: return 4;
-        case ColorFormat::kRgb565: return 2;
-        case ColorFormat::kRgba16: return 8;
-        case ColorFormat::kRgba32F: return 16;
+        case ColorFormat::kRgba8:
+            return 4;
+        case ColorFormat::kRgb565:
+            return 2;
+        case ColorFormat::kRgba16:
+            return 8;
+        case ColorFormat::kRgba32F:
+            return 16;
     }
     return 0;
 }

@@ -1,5 +1,5 @@
-// Which instruction set the kernels run on: the best one that was compiled in and that the processor has, or the one
-// that TERRAZZO_ISA names (scalar, sse4, avx2, avx512, neon). All draw the same bits.
+// Which instruction set the kernels run on: the best one that was compiled in and that the processor has, or
+// the one that TERRAZZO_ISA names (scalar, sse4, avx2, avx512, neon). All draw the same bits.
 #pragma once
 
 #include <cstdint>

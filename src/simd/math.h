@@ -1,5 +1,5 @@
-// Elementary functions of 16 lanes from multiplications and additions alone, so that every instruction set returns
-// the same bits. Errors are relative and were measured over the ranges fixed-function GL uses.
+// Elementary functions of 16 lanes from multiplications and additions alone, so that every instruction set
+// returns the same bits. Errors are relative and were measured over the ranges fixed-function GL uses.
 #pragma once
 
 #include "simd/wide.h"
@@ -22,7 +22,8 @@ TERRAZZO_INLINE F32x16 exp2(F32x16 x) {
     return p * as_float(shift_left<23>(whole + I32x16(127)));
 }
 
-// log2 x for finite x > 0, absolute error below 2e-7 * max(1, |log2 x|); denormal numbers count as the smallest normal.
+// log2 x for finite x > 0, absolute error below 2e-7 * max(1, |log2 x|); denormal numbers count as the
+// smallest normal.
 TERRAZZO_INLINE F32x16 log2(F32x16 x) {
     const I32x16 bits = as_int(max(x, F32x16(1.17549435e-38f)));
     // Mantissa in [sqrt(1/2), sqrt(2)).

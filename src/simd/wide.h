@@ -1,11 +1,13 @@
-// Sixteen lanes at a time: value types over Google Highway for code that is compiled once per instruction set.
+// Sixteen lanes at a time: value types over Google Highway for code that is compiled once per instruction
+// set.
 //
-// F32x16, I32x16 and Mask16 hold one lane per pixel of a 4x4 tile, or per vertex or triangle of a batch; they are
-// made of as many native vectors as the instruction set needs (one on AVX-512, sixteen scalars on none). Nothing
-// here fuses, approximates or reassociates: every instruction set computes the same bits (promise P3).
+// F32x16, I32x16 and Mask16 hold one lane per pixel of a 4x4 tile, or per vertex or triangle of a batch; they
+// are made of as many native vectors as the instruction set needs (one on AVX-512, sixteen scalars on none).
+// Nothing here fuses, approximates or reassociates: every instruction set computes the same bits (promise
+// P3).
 //
-// A file that includes this is compiled by src/meson.build once per instruction set, with TERRAZZO_ISA naming it, and
-// keeps all its code in namespace TERRAZZO_ISA_NAMESPACE so that no two compilations share a symbol.
+// A file that includes this is compiled by src/meson.build once per instruction set, with TERRAZZO_ISA naming
+// it, and keeps all its code in namespace TERRAZZO_ISA_NAMESPACE so that no two compilations share a symbol.
 #pragma once
 
 #include <hwy/highway.h>
@@ -81,11 +83,11 @@ TERRAZZO_BINARY(Mask16, operator&, And)
 TERRAZZO_BINARY(Mask16, operator|, Or)
 #undef TERRAZZO_BINARY
 
-#define TERRAZZO_COMPARE(Type, name, operation)                                                             \
-    TERRAZZO_INLINE Mask16 name(Type a, Type b) {                                                           \
-        Mask16 r;                                                                                           \
-        TERRAZZO_FOR_PARTS r.part[p] = hn::RebindMask(TagF(), hn::operation(a.part[p], b.part[p]));         \
-        return r;                                                                                           \
+#define TERRAZZO_COMPARE(Type, name, operation)                                                     \
+    TERRAZZO_INLINE Mask16 name(Type a, Type b) {                                                   \
+        Mask16 r;                                                                                   \
+        TERRAZZO_FOR_PARTS r.part[p] = hn::RebindMask(TagF(), hn::operation(a.part[p], b.part[p])); \
+        return r;                                                                                   \
     }
 TERRAZZO_COMPARE(F32x16, operator<, Lt)
 TERRAZZO_COMPARE(F32x16, operator<=, Le)
@@ -104,7 +106,8 @@ TERRAZZO_INLINE Mask16 operator~(Mask16 a) {
     return r;
 }
 
-// The smaller (larger) of two floats; the second where either is NaN: x86's rule, kept on every instruction set.
+// The smaller (larger) of two floats; the second where either is NaN: x86's rule, kept on every instruction
+// set.
 TERRAZZO_INLINE F32x16 min(F32x16 a, F32x16 b) {
     F32x16 r;
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
@@ -124,8 +127,12 @@ TERRAZZO_INLINE F32x16 max(F32x16 a, F32x16 b) {
     return r;
 }
 // Into [low, high]; NaN becomes `low`.
-TERRAZZO_INLINE F32x16 clamp(F32x16 v, F32x16 low, F32x16 high) { return min(max(v, low), high); }
-TERRAZZO_INLINE I32x16 clamp(I32x16 v, I32x16 low, I32x16 high) { return min(max(v, low), high); }
+TERRAZZO_INLINE F32x16 clamp(F32x16 v, F32x16 low, F32x16 high) {
+    return min(max(v, low), high);
+}
+TERRAZZO_INLINE I32x16 clamp(I32x16 v, I32x16 low, I32x16 high) {
+    return min(max(v, low), high);
+}
 
 #define TERRAZZO_UNARY_F(name, operation)                        \
     TERRAZZO_INLINE F32x16 name(F32x16 a) {                      \
@@ -156,8 +163,7 @@ TERRAZZO_INLINE I32x16 shift_right(I32x16 a) {
 template <int kBits>
 TERRAZZO_INLINE I32x16 shift_right_logical(I32x16 a) {
     I32x16 r;
-    TERRAZZO_FOR_PARTS r.part[p] =
-        hn::BitCast(TagI(), hn::ShiftRight<kBits>(hn::BitCast(TagU(), a.part[p])));
+    TERRAZZO_FOR_PARTS r.part[p] = hn::BitCast(TagI(), hn::ShiftRight<kBits>(hn::BitCast(TagU(), a.part[p])));
     return r;
 }
 
@@ -189,7 +195,9 @@ TERRAZZO_INLINE I32x16 load(const int32_t* from) {
     TERRAZZO_FOR_PARTS r.part[p] = hn::Load(TagI(), from + p * kNativeLanes);
     return r;
 }
-TERRAZZO_INLINE I32x16 load(const uint32_t* from) { return load(reinterpret_cast<const int32_t*>(from)); }
+TERRAZZO_INLINE I32x16 load(const uint32_t* from) {
+    return load(reinterpret_cast<const int32_t*>(from));
+}
 TERRAZZO_INLINE I32x16 load_u(const int32_t* from) {
     I32x16 r;
     TERRAZZO_FOR_PARTS r.part[p] = hn::LoadU(TagI(), from + p * kNativeLanes);
@@ -201,7 +209,9 @@ TERRAZZO_INLINE void store(F32x16 v, float* to) {
 TERRAZZO_INLINE void store(I32x16 v, int32_t* to) {
     TERRAZZO_FOR_PARTS hn::Store(v.part[p], TagI(), to + p * kNativeLanes);
 }
-TERRAZZO_INLINE void store(I32x16 v, uint32_t* to) { store(v, reinterpret_cast<int32_t*>(to)); }
+TERRAZZO_INLINE void store(I32x16 v, uint32_t* to) {
+    store(v, reinterpret_cast<int32_t*>(to));
+}
 // Stores the lanes of `mask`, leaves the others as they are in memory.
 TERRAZZO_INLINE void store_masked(Mask16 mask, I32x16 v, uint32_t* to) {
     int32_t* const out = reinterpret_cast<int32_t*>(to);
@@ -226,8 +236,8 @@ TERRAZZO_INLINE F32x16 to_float(I32x16 a) {
     TERRAZZO_FOR_PARTS r.part[p] = hn::ConvertTo(TagF(), a.part[p]);
     return r;
 }
-// x86 has instructions for these two that are only undefined where the callers never go, out of int32's range; Highway's
-// portable versions pay five more to be defined there.
+// x86 has instructions for these two that are only undefined where the callers never go, out of int32's
+// range; Highway's portable versions pay five more to be defined there.
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
 #if HWY_TARGET <= HWY_AVX3
 #define TERRAZZO_X86(name) _mm512_##name
@@ -341,18 +351,27 @@ TERRAZZO_INLINE Mask16 mask_from_bits(uint32_t bits) {
 #endif
     return r;
 }
-TERRAZZO_INLINE bool any(Mask16 mask) { return bits_of(mask) != 0; }
+TERRAZZO_INLINE bool any(Mask16 mask) {
+    return bits_of(mask) != 0;
+}
 // Bit i is set where lane i is negative.
-TERRAZZO_INLINE uint32_t sign_bits(I32x16 v) { return bits_of(v < I32x16(0)); }
+TERRAZZO_INLINE uint32_t sign_bits(I32x16 v) {
+    return bits_of(v < I32x16(0));
+}
 
 // 0, 1, 2, ... 15.
 TERRAZZO_INLINE I32x16 lane_numbers() {
-    alignas(64) static constexpr int32_t kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    alignas(64) static constexpr int32_t kNumbers[16] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                         8, 9, 10, 11, 12, 13, 14, 15};
     return load(kNumbers);
 }
 // Column and row of each lane in a 4x4 tile.
-TERRAZZO_INLINE I32x16 lane_x() { return lane_numbers() & I32x16(3); }
-TERRAZZO_INLINE I32x16 lane_y() { return shift_right<2>(lane_numbers()); }
+TERRAZZO_INLINE I32x16 lane_x() {
+    return lane_numbers() & I32x16(3);
+}
+TERRAZZO_INLINE I32x16 lane_y() {
+    return shift_right<2>(lane_numbers());
+}
 
 #if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
 using TagHalfF = hn::Half<TagF>;
@@ -360,23 +379,26 @@ using TagHalfI = hn::Half<TagI>;
 using TagWide = hn::Rebind<double, TagHalfF>;
 #endif
 
-// What a fused multiply-add returns (but for one case in 2^29, where the sum in double falls half-way between floats):
-// the product is exact in double. The same on every instruction set, fused or not.
+// What a fused multiply-add returns (but for one case in 2^29, where the sum in double falls half-way between
+// floats): the product is exact in double. The same on every instruction set, fused or not.
 TERRAZZO_INLINE F32x16 multiply_add_once_rounded(F32x16 a, F32x16 b, F32x16 c) {
     F32x16 r;
 #if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
     TERRAZZO_FOR_PARTS {
         const auto wide = [](auto half) { return hn::PromoteTo(TagWide(), half); };
-        const auto low = hn::Add(hn::Mul(wide(hn::LowerHalf(TagHalfF(), a.part[p])), wide(hn::LowerHalf(TagHalfF(), b.part[p]))),
-                                 wide(hn::LowerHalf(TagHalfF(), c.part[p])));
-        const auto high = hn::Add(hn::Mul(wide(hn::UpperHalf(TagHalfF(), a.part[p])), wide(hn::UpperHalf(TagHalfF(), b.part[p]))),
-                                  wide(hn::UpperHalf(TagHalfF(), c.part[p])));
+        const auto low = hn::Add(
+            hn::Mul(wide(hn::LowerHalf(TagHalfF(), a.part[p])), wide(hn::LowerHalf(TagHalfF(), b.part[p]))),
+            wide(hn::LowerHalf(TagHalfF(), c.part[p])));
+        const auto high = hn::Add(
+            hn::Mul(wide(hn::UpperHalf(TagHalfF(), a.part[p])), wide(hn::UpperHalf(TagHalfF(), b.part[p]))),
+            wide(hn::UpperHalf(TagHalfF(), c.part[p])));
         r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), high), hn::DemoteTo(TagHalfF(), low));
     }
 #else
     alignas(64) float x[16], y[16], z[16];
     store(a, x), store(b, y), store(c, z);
-    for (int i = 0; i < 16; ++i) x[i] = static_cast<float>(static_cast<double>(x[i]) * y[i] + static_cast<double>(z[i]));
+    for (int i = 0; i < 16; ++i)
+        x[i] = static_cast<float>(static_cast<double>(x[i]) * y[i] + static_cast<double>(z[i]));
     r = load(x);
 #endif
     return r;
@@ -389,8 +411,10 @@ TERRAZZO_INLINE F32x16 cross(I32x16 a, I32x16 b, I32x16 c, I32x16 d) {
     TERRAZZO_FOR_PARTS {
         const auto low = [](NativeI v) { return hn::PromoteTo(TagWide(), hn::LowerHalf(TagHalfI(), v)); };
         const auto high = [](NativeI v) { return hn::PromoteTo(TagWide(), hn::UpperHalf(TagHalfI(), v)); };
-        const auto l = hn::Sub(hn::Mul(low(a.part[p]), low(b.part[p])), hn::Mul(low(c.part[p]), low(d.part[p])));
-        const auto h = hn::Sub(hn::Mul(high(a.part[p]), high(b.part[p])), hn::Mul(high(c.part[p]), high(d.part[p])));
+        const auto l =
+            hn::Sub(hn::Mul(low(a.part[p]), low(b.part[p])), hn::Mul(low(c.part[p]), low(d.part[p])));
+        const auto h =
+            hn::Sub(hn::Mul(high(a.part[p]), high(b.part[p])), hn::Mul(high(c.part[p]), high(d.part[p])));
         r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), h), hn::DemoteTo(TagHalfF(), l));
     }
 #else

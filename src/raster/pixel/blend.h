@@ -1,5 +1,6 @@
-// Blending (GL 1.5 §4.1.7). Against 8-bit colours in 8-bit arithmetic, as the reference does it: the source is
-// quantised first, products are (ab + (ab >> 8) + 128) >> 8 and sums saturate; other formats blend as floats.
+// Blending (GL 1.5 §4.1.7). Against 8-bit colours in 8-bit arithmetic, as the reference does it: the source
+// is quantised first, products are (ab + (ab >> 8) + 128) >> 8 and sums saturate; other formats blend as
+// floats.
 #pragma once
 
 #include "raster/pixel/color.h"
@@ -42,20 +43,34 @@ TERRAZZO_INLINE typename Channel::Value blend_factor(BlendFactor factor, const B
                                                      const float constant[4], int channel) {
     const auto invert = [](typename Channel::Value v) { return Channel::one() - v; };
     switch (factor) {
-        case BlendFactor::kZero: break;
-        case BlendFactor::kOne: return Channel::one();
-        case BlendFactor::kSourceColor: return in.source[channel];
-        case BlendFactor::kOneMinusSourceColor: return invert(in.source[channel]);
-        case BlendFactor::kDestinationColor: return in.destination[channel];
-        case BlendFactor::kOneMinusDestinationColor: return invert(in.destination[channel]);
-        case BlendFactor::kSourceAlpha: return in.source[3];
-        case BlendFactor::kOneMinusSourceAlpha: return invert(in.source[3]);
-        case BlendFactor::kDestinationAlpha: return in.destination[3];
-        case BlendFactor::kOneMinusDestinationAlpha: return invert(in.destination[3]);
-        case BlendFactor::kConstantColor: return Channel::constant(constant[channel]);
-        case BlendFactor::kOneMinusConstantColor: return invert(Channel::constant(constant[channel]));
-        case BlendFactor::kConstantAlpha: return Channel::constant(constant[3]);
-        case BlendFactor::kOneMinusConstantAlpha: return invert(Channel::constant(constant[3]));
+        case BlendFactor::kZero:
+            break;
+        case BlendFactor::kOne:
+            return Channel::one();
+        case BlendFactor::kSourceColor:
+            return in.source[channel];
+        case BlendFactor::kOneMinusSourceColor:
+            return invert(in.source[channel]);
+        case BlendFactor::kDestinationColor:
+            return in.destination[channel];
+        case BlendFactor::kOneMinusDestinationColor:
+            return invert(in.destination[channel]);
+        case BlendFactor::kSourceAlpha:
+            return in.source[3];
+        case BlendFactor::kOneMinusSourceAlpha:
+            return invert(in.source[3]);
+        case BlendFactor::kDestinationAlpha:
+            return in.destination[3];
+        case BlendFactor::kOneMinusDestinationAlpha:
+            return invert(in.destination[3]);
+        case BlendFactor::kConstantColor:
+            return Channel::constant(constant[channel]);
+        case BlendFactor::kOneMinusConstantColor:
+            return invert(Channel::constant(constant[channel]));
+        case BlendFactor::kConstantAlpha:
+            return Channel::constant(constant[3]);
+        case BlendFactor::kOneMinusConstantAlpha:
+            return invert(Channel::constant(constant[3]));
         case BlendFactor::kSourceAlphaSaturate:
             return channel == 3 ? Channel::one() : min(in.source[3], invert(in.destination[3]));
     }
@@ -63,8 +78,8 @@ TERRAZZO_INLINE typename Channel::Value blend_factor(BlendFactor factor, const B
 }
 
 template <class Channel>
-TERRAZZO_INLINE typename Channel::Value blend_channel(const FragmentState& state, const BlendInput<Channel>& in,
-                                                      int channel) {
+TERRAZZO_INLINE typename Channel::Value blend_channel(const FragmentState& state,
+                                                      const BlendInput<Channel>& in, int channel) {
     const bool alpha = channel == 3;
     const BlendEquation equation = alpha ? state.blend_equation_alpha : state.blend_equation_rgb;
     const auto s = in.source[channel], d = in.destination[channel];
@@ -78,9 +93,12 @@ TERRAZZO_INLINE typename Channel::Value blend_channel(const FragmentState& state
     const auto sf = weigh(alpha ? state.blend_source_alpha : state.blend_source_rgb, s);
     const auto df = weigh(alpha ? state.blend_destination_alpha : state.blend_destination_rgb, d);
     switch (equation) {
-        case BlendEquation::kSubtract: return Channel::subtract(sf, df);
-        case BlendEquation::kReverseSubtract: return Channel::subtract(df, sf);
-        default: return Channel::add(sf, df);
+        case BlendEquation::kSubtract:
+            return Channel::subtract(sf, df);
+        case BlendEquation::kReverseSubtract:
+            return Channel::subtract(df, sf);
+        default:
+            return Channel::add(sf, df);
     }
 }
 
@@ -94,7 +112,8 @@ TERRAZZO_INLINE void blend_general(const FragmentState& state, const BlendInput<
 TERRAZZO_INLINE void blend_alpha(const BlendInput<Channel8>& in, I32x16 out[4]) {
     const I32x16 rest = Channel8::one() - in.source[3];
     for (int c = 0; c < 4; ++c)
-        out[c] = Channel8::add(Channel8::multiply(in.source[c], in.source[3]), Channel8::multiply(in.destination[c], rest));
+        out[c] = Channel8::add(Channel8::multiply(in.source[c], in.source[3]),
+                               Channel8::multiply(in.destination[c], rest));
 }
 TERRAZZO_INLINE void blend_additive(const BlendInput<Channel8>& in, I32x16 out[4]) {
     for (int c = 0; c < 4; ++c) out[c] = Channel8::add(in.source[c], in.destination[c]);

@@ -9,7 +9,9 @@ struct Color {
     F32x16 r, g, b, a;
 };
 
-TERRAZZO_INLINE Color uniform_color(const float c[4]) { return {c[0], c[1], c[2], c[3]}; }
+TERRAZZO_INLINE Color uniform_color(const float c[4]) {
+    return {c[0], c[1], c[2], c[3]};
+}
 
 // round(f * 255) into [0, 255]; NaN gives 0.
 TERRAZZO_INLINE I32x16 to_unorm8(F32x16 f) {
@@ -18,7 +20,9 @@ TERRAZZO_INLINE I32x16 to_unorm8(F32x16 f) {
 TERRAZZO_INLINE I32x16 to_unorm(F32x16 f, float maximum) {
     return round_to_int(clamp(f, F32x16(0.0f), F32x16(1.0f)) * F32x16(maximum));
 }
-TERRAZZO_INLINE F32x16 from_unorm8(I32x16 v) { return to_float(v) * F32x16(1.0f / 255.0f); }
+TERRAZZO_INLINE F32x16 from_unorm8(I32x16 v) {
+    return to_float(v) * F32x16(1.0f / 255.0f);
+}
 
 struct Color8 {
     I32x16 r, g, b, a;  // each in [0, 255]

@@ -1,5 +1,5 @@
-// Texture environments of OpenGL 1.1 and ADD (GL 1.5 §3.8.13, tables 3.22 and 3.23): what a unit makes of the incoming
-// colour and its texel.
+// Texture environments of OpenGL 1.1 and ADD (GL 1.5 §3.8.13, tables 3.22 and 3.23): what a unit makes of the
+// incoming colour and its texel.
 #pragma once
 
 #include "raster/pixel/color.h"

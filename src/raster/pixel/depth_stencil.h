@@ -1,5 +1,5 @@
-// Stencil and depth test of a tile (GL 1.5 §4.1.5, §4.1.6), in that order: the bits of the mask that survive, with both
-// buffers brought up to date.
+// Stencil and depth test of a tile (GL 1.5 §4.1.5, §4.1.6), in that order: the bits of the mask that survive,
+// with both buffers brought up to date.
 #pragma once
 
 #include "raster/pixel/interpolate.h"
@@ -8,14 +8,22 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 TERRAZZO_INLINE Mask16 compare(Compare func, I32x16 a, I32x16 b) {
     switch (func) {
-        case Compare::kNever: return mask_from_bits(0);
-        case Compare::kLess: return a < b;
-        case Compare::kEqual: return a == b;
-        case Compare::kLessEqual: return ~(a > b);
-        case Compare::kGreater: return a > b;
-        case Compare::kNotEqual: return ~(a == b);
-        case Compare::kGreaterEqual: return ~(a < b);
-        case Compare::kAlways: break;
+        case Compare::kNever:
+            return mask_from_bits(0);
+        case Compare::kLess:
+            return a < b;
+        case Compare::kEqual:
+            return a == b;
+        case Compare::kLessEqual:
+            return ~(a > b);
+        case Compare::kGreater:
+            return a > b;
+        case Compare::kNotEqual:
+            return ~(a == b);
+        case Compare::kGreaterEqual:
+            return ~(a < b);
+        case Compare::kAlways:
+            break;
     }
     return mask_from_bits(0xffff);
 }
@@ -39,19 +47,28 @@ TERRAZZO_INLINE void store_stencil(I32x16 v, uint32_t mask, uint8_t* to) {
 
 TERRAZZO_INLINE I32x16 apply(StencilOp op, I32x16 old, const StencilFace& face) {
     switch (op) {
-        case StencilOp::kKeep: break;
-        case StencilOp::kZero: return I32x16(0);
-        case StencilOp::kReplace: return I32x16(face.reference);
-        case StencilOp::kIncrement: return min(old + I32x16(1), I32x16(255));
-        case StencilOp::kDecrement: return max(old - I32x16(1), I32x16(0));
-        case StencilOp::kInvert: return old ^ I32x16(255);
-        case StencilOp::kIncrementWrap: return (old + I32x16(1)) & I32x16(255);
-        case StencilOp::kDecrementWrap: return (old - I32x16(1)) & I32x16(255);
+        case StencilOp::kKeep:
+            break;
+        case StencilOp::kZero:
+            return I32x16(0);
+        case StencilOp::kReplace:
+            return I32x16(face.reference);
+        case StencilOp::kIncrement:
+            return min(old + I32x16(1), I32x16(255));
+        case StencilOp::kDecrement:
+            return max(old - I32x16(1), I32x16(0));
+        case StencilOp::kInvert:
+            return old ^ I32x16(255);
+        case StencilOp::kIncrementWrap:
+            return (old + I32x16(1)) & I32x16(255);
+        case StencilOp::kDecrementWrap:
+            return (old - I32x16(1)) & I32x16(255);
     }
     return old;
 }
 
-TERRAZZO_INLINE void update_stencil(StencilOp op, I32x16 old, const StencilFace& face, uint32_t mask, uint8_t* to) {
+TERRAZZO_INLINE void update_stencil(StencilOp op, I32x16 old, const StencilFace& face, uint32_t mask,
+                                    uint8_t* to) {
     if (op == StencilOp::kKeep || mask == 0) return;
     const I32x16 writable(face.write_mask);
     const I32x16 value = (apply(op, old, face) & writable) | (old & (writable ^ I32x16(255)));

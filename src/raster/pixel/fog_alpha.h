@@ -12,14 +12,17 @@ TERRAZZO_INLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 
     constexpr float kLog2E = 1.44269504f, kSqrtLog2E = 1.20112241f;
     F32x16 f(1.0f);
     switch (mode) {
-        case FogMode::kNone: return;
+        case FogMode::kNone:
+            return;
         case FogMode::kLinear: {
             const float range = state.fog_end - state.fog_start;
             const float scale = range == 0 ? 1.0f : 1.0f / range;
             f = F32x16(state.fog_end * scale) - distance * F32x16(scale);
             break;
         }
-        case FogMode::kExp: f = exp2(-abs(distance * F32x16(state.fog_density * kLog2E))); break;
+        case FogMode::kExp:
+            f = exp2(-abs(distance * F32x16(state.fog_density * kLog2E)));
+            break;
         case FogMode::kExp2: {
             const F32x16 scaled = distance * F32x16(state.fog_density * kSqrtLog2E);
             f = exp2(-(scaled * scaled));
@@ -33,19 +36,29 @@ TERRAZZO_INLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 
     color.b = color.b * f + F32x16(state.fog_color[2]) * rest;
 }
 
-// Which fragments pass; compared as the colour buffer would store alpha, in eight bits, unless it holds floats.
-TERRAZZO_INLINE Mask16 alpha_test(Compare func, const FragmentState& state, ColorFormat format, F32x16 alpha) {
+// Which fragments pass; compared as the colour buffer would store alpha, in eight bits, unless it holds
+// floats.
+TERRAZZO_INLINE Mask16 alpha_test(Compare func, const FragmentState& state, ColorFormat format,
+                                  F32x16 alpha) {
     if (format == ColorFormat::kRgba32F) {
         const F32x16 reference(state.alpha_reference);
         switch (func) {
-            case Compare::kNever: return mask_from_bits(0);
-            case Compare::kLess: return alpha < reference;
-            case Compare::kEqual: return alpha == reference;
-            case Compare::kLessEqual: return alpha <= reference;
-            case Compare::kGreater: return alpha > reference;
-            case Compare::kNotEqual: return alpha != reference;
-            case Compare::kGreaterEqual: return alpha >= reference;
-            case Compare::kAlways: break;
+            case Compare::kNever:
+                return mask_from_bits(0);
+            case Compare::kLess:
+                return alpha < reference;
+            case Compare::kEqual:
+                return alpha == reference;
+            case Compare::kLessEqual:
+                return alpha <= reference;
+            case Compare::kGreater:
+                return alpha > reference;
+            case Compare::kNotEqual:
+                return alpha != reference;
+            case Compare::kGreaterEqual:
+                return alpha >= reference;
+            case Compare::kAlways:
+                break;
         }
         return mask_from_bits(0xffff);
     }

@@ -1,9 +1,9 @@
 // Interpolation: a primitive's planes at the 16 pixels of a tile.
 //
-// Depth is what the reference computes with two fused multiply-adds, fma(dz/dy, y, fma(dz/dx, x, a0)), got without
-// them: the products of a float and a pixel number are exact in double, so a column's inner sum is rounded to float once
-// and a pixel is one double addition and one rounding. Other varyings need no such care: they use plain
-// multiplications and additions relative to pixel coordinates.
+// Depth is what the reference computes with two fused multiply-adds, fma(dz/dy, y, fma(dz/dx, x, a0)), got
+// without them: the products of a float and a pixel number are exact in double, so a column's inner sum is
+// rounded to float once and a pixel is one double addition and one rounding. Other varyings need no such
+// care: they use plain multiplications and additions relative to pixel coordinates.
 #pragma once
 
 #include "raster/primitive.h"
@@ -16,7 +16,8 @@ using namespace raster;
 // z at the 16 pixels of a tile, before clamping.
 class DepthPlane {
   public:
-    TERRAZZO_INLINE DepthPlane(float a0, float dadx, float dady) : m_a0(a0), m_slope_x(dadx), m_slope_y(dady) {}
+    TERRAZZO_INLINE DepthPlane(float a0, float dadx, float dady)
+        : m_a0(a0), m_slope_x(dadx), m_slope_y(dady) {}
 
     // The tile's first pixel is (x, y).
     TERRAZZO_INLINE F32x16 at(int x, int y) const {
@@ -29,11 +30,13 @@ class DepthPlane {
         constexpr int kDoubles = kNativeLanes / 2;
         constexpr int kColumnVectors = kDoubles < 4 ? 4 / kDoubles : 1;
         const auto slope_x = hn::Set(TagD(), m_slope_x), slope_y = hn::Set(TagD(), m_slope_y);
-        const auto first_x = hn::Set(TagD(), static_cast<double>(x)), first_y = hn::Set(TagD(), static_cast<double>(y));
+        const auto first_x = hn::Set(TagD(), static_cast<double>(x)),
+                   first_y = hn::Set(TagD(), static_cast<double>(y));
         hn::Vec<TagD> columns[kColumnVectors];
         for (int i = 0; i < kColumnVectors; ++i) {
             const auto exact = hn::Mul(hn::Add(hn::Load(TagD(), kX + i * kDoubles), first_x), slope_x);
-            columns[i] = hn::PromoteTo(TagD(), hn::DemoteTo(TagHalf(), hn::Add(exact, hn::Set(TagD(), m_a0))));
+            columns[i] =
+                hn::PromoteTo(TagD(), hn::DemoteTo(TagHalf(), hn::Add(exact, hn::Set(TagD(), m_a0))));
         }
         const auto part = [&](int i) {
             const auto exact = hn::Mul(hn::Add(hn::Load(TagD(), kY + i * kDoubles), first_y), slope_y);

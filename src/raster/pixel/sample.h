@@ -108,28 +108,33 @@ TERRAZZO_INLINE I32x16 fetch_rgba8(const MipLevel& level, I32x16 x, I32x16 y) {
     return gather(static_cast<const int32_t*>(level.texels), y * I32x16(level.pitch) + x);
 }
 
-// The texels at columns x.first and x.second of a row, whose first texel each lane's `row` counts from the image's.
-TERRAZZO_INLINE I32x16Pair fetch_neighbours(const MipLevel& level, const FixedAxis& x, I32x16 row, bool adjacent) {
+// The texels at columns x.first and x.second of a row, whose first texel each lane's `row` counts from the
+// image's.
+TERRAZZO_INLINE I32x16Pair fetch_neighbours(const MipLevel& level, const FixedAxis& x, I32x16 row,
+                                            bool adjacent) {
     const int32_t* const texels = static_cast<const int32_t*>(level.texels);
     if (adjacent) return gather_pairs(texels, row + x.first);
     return {gather(texels, row + x.first), gather(texels, row + x.second)};
 }
 
 // Fixed-point sampling of one level of an eight-bit 2D texture.
-TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLevel& level, Filter filter, F32x16 s,
-                                           F32x16 t) {
+TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLevel& level, Filter filter,
+                                           F32x16 s, F32x16 t) {
     const FixedAxis x = fixed_axis(wrap_s, filter, s, level.width);
     const FixedAxis y = fixed_axis(wrap_t, filter, t, level.height);
     const I32x16 pitch(level.pitch);
     if (filter == Filter::kNearest)
-        return split_pairs(gather(static_cast<const int32_t*>(level.texels), multiply_small(y.first, pitch) + x.first));
-    // Where no lane wraps round or is clamped, the two columns are neighbours in memory and one load gets both.
+        return split_pairs(
+            gather(static_cast<const int32_t*>(level.texels), multiply_small(y.first, pitch) + x.first));
+    // Where no lane wraps round or is clamped, the two columns are neighbours in memory and one load gets
+    // both.
     const bool adjacent = bits_of(x.second == x.first + I32x16(1)) == 0xffff;
     const I32x16Pair low = fetch_neighbours(level, x, multiply_small(y.first, pitch), adjacent);
     const I32x16Pair high = fetch_neighbours(level, x, multiply_small(y.second, pitch), adjacent);
     const I32x16 wx = pair_weights(x.weight);
     return lerp_pairs(lerp_pairs(split_pairs(low.first), split_pairs(low.second), wx),
-                      lerp_pairs(split_pairs(high.first), split_pairs(high.second), wx), pair_weights(y.weight));
+                      lerp_pairs(split_pairs(high.first), split_pairs(high.second), wx),
+                      pair_weights(y.weight));
 }
 
 TERRAZZO_INLINE TexelPairs sample_fixed(const Sampler& sampler, const MipLevel& level, Filter filter,

@@ -104,7 +104,8 @@ inline void encode_pixel(ColorFormat format, const int32_t (&v)[4], std::byte* o
 }
 
 template <class Key>
-inline void write_other_format(Key key, const FragmentState& state, const Color& color, uint32_t mask, std::byte* tile) {
+inline void write_other_format(Key key, const FragmentState& state, const Color& color, uint32_t mask,
+                               std::byte* tile) {
     const FragmentKey& k = key.value;
     const bool is_float = k.color_format == ColorFormat::kRgba32F;
     const ChannelLimits limits = channel_limits(k.color_format);
@@ -154,11 +155,12 @@ inline void write_other_format(Key key, const FragmentState& state, const Color&
 }
 
 template <class Key>
-TERRAZZO_INLINE void write_color(Key key, const FragmentState& state, const Color& color, uint32_t mask, Bin& bin,
-                                 int tile) {
+TERRAZZO_INLINE void write_color(Key key, const FragmentState& state, const Color& color, uint32_t mask,
+                                 Bin& bin, int tile) {
     const FragmentKey& k = key.value;
     if (k.color_mask == 0) return;
-    std::byte* const pixels = bin.color + static_cast<size_t>(tile) * kTilePixels * static_cast<size_t>(bytes_per_pixel(k.color_format));
+    std::byte* const pixels = bin.color + static_cast<size_t>(tile) * kTilePixels *
+                                              static_cast<size_t>(bytes_per_pixel(k.color_format));
     if (k.color_format == ColorFormat::kRgba8) {
         write_rgba8(key, state, color, mask, pixels);
     } else {
