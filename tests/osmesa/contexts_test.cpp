@@ -1,0 +1,208 @@
+// Lives of OSMesa contexts: sharing, threads, destruction in odd places, arguments that make no sense.
+#include <GL/osmesa.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <future>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr int kSize = 70;  // more than one bin
+
+struct ContextDeleter {
+    void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
+};
+using ContextPointer = std::unique_ptr<osmesa_context, ContextDeleter>;
+
+ContextPointer make_context(OSMesaContext partner = nullptr) {
+    return ContextPointer(OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, partner));
+}
+
+class OsmesaContexts : public testing::Test {
+  protected:
+    ~OsmesaContexts() override { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+
+    bool make_current(const ContextPointer& context) {
+        return OSMesaMakeCurrent(context.get(), m_pixels.data(), GL_UNSIGNED_BYTE, kSize, kSize);
+    }
+
+    std::array<GLubyte, 4> pixel(int x, int y) const {
+        std::array<GLubyte, 4> value;
+        std::memcpy(value.data(), &m_pixels[static_cast<std::size_t>(y * kSize + x) * 4], 4);
+        return value;
+    }
+
+    std::vector<GLubyte> m_pixels = std::vector<GLubyte>(kSize * kSize * 4);
+};
+
+constexpr std::array<GLubyte, 4> kRed = {255, 0, 0, 255};
+
+TEST_F(OsmesaContexts, APictureIsTheRightWayUp) {
+    const auto context = make_context();
+    ASSERT_TRUE(make_current(context));
+    glClear(GL_COLOR_BUFFER_BIT);
+    glColor3f(1, 0, 0);
+    glRectf(-1, -1, 0, 0);  // the lower left quarter
+    glFinish();
+    EXPECT_EQ(pixel(0, 0), kRed);
+    EXPECT_EQ(pixel(kSize / 2 - 1, kSize / 2 - 1), kRed);
+    EXPECT_NE(pixel(kSize / 2, 0), kRed);
+    EXPECT_NE(pixel(0, kSize / 2), kRed);
+
+    OSMesaPixelStore(OSMESA_Y_UP, 0);
+    glRectf(-1, -1, 0, 0);
+    glFinish();
+    EXPECT_EQ(pixel(0, kSize - 1), kRed);
+    EXPECT_NE(pixel(0, 0), kRed);
+}
+
+TEST_F(OsmesaContexts, TheDepthBufferHasWhatIsQueuedToo) {
+    const auto context = make_context();
+    ASSERT_TRUE(make_current(context));
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glBegin(GL_POINTS);
+    glVertex3f(-1 + 1.0f / kSize, -1 + 1.0f / kSize, 0);
+    glEnd();
+    GLint width = 0, height = 0, bytes = 0;
+    void* depth = nullptr;
+    ASSERT_TRUE(OSMesaGetDepthBuffer(context.get(), &width, &height, &bytes, &depth));
+    ASSERT_EQ(bytes, 4);
+    const auto* values = static_cast<const GLuint*>(depth);
+    EXPECT_EQ(values[0] & 0xffffff, 0x800000u);  // 0.5 of 2^24 - 1, to the nearest even
+    EXPECT_EQ(values[1] & 0xffffff, 0xffffffu);
+}
+
+TEST_F(OsmesaContexts, PartnersShareListsAndSurviveEachOther) {
+    auto first = make_context();
+    const auto second = make_context(first.get());
+    ASSERT_TRUE(make_current(first));
+    glNewList(3, GL_COMPILE);
+    glClearColor(1, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEndList();
+    first.reset();  // while it is current
+    EXPECT_EQ(OSMesaGetCurrentContext(), nullptr);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    ASSERT_TRUE(make_current(second));
+    EXPECT_TRUE(glIsList(3));
+    glCallList(3);
+    glFinish();
+    EXPECT_EQ(pixel(kSize - 1, kSize - 1), kRed);
+}
+
+TEST_F(OsmesaContexts, DestroyedWhileAnotherThreadDraws) {
+    auto context = make_context();
+    std::promise<void> drawing, destroyed;
+    std::thread thread([&] {
+        std::vector<GLubyte> pixels(kSize * kSize * 4);
+        OSMesaMakeCurrent(context.get(), pixels.data(), GL_UNSIGNED_BYTE, kSize, kSize);
+        glClearColor(1, 0, 0, 1);
+        drawing.set_value();
+        destroyed.get_future().wait();
+        glClear(GL_COLOR_BUFFER_BIT);
+        glFinish();
+        EXPECT_EQ(pixels[0], 255);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    });
+    drawing.get_future().wait();
+    context.reset();
+    destroyed.set_value();
+    thread.join();  // the thread ends with the context current: that frees it
+}
+
+TEST_F(OsmesaContexts, AThreadThatEndsLetsGo) {
+    const auto context = make_context();
+    std::thread([&] {
+        OSMesaMakeCurrent(context.get(), m_pixels.data(), GL_UNSIGNED_BYTE, kSize, kSize);
+        glClearColor(1, 0, 0, 1);
+    }).join();
+    EXPECT_EQ(OSMesaGetCurrentContext(), nullptr);
+    ASSERT_TRUE(make_current(context));
+    glClear(GL_COLOR_BUFFER_BIT);
+    glFinish();
+    EXPECT_EQ(pixel(1, 1), kRed);
+}
+
+TEST_F(OsmesaContexts, ThreadsDrawAtTheSameTime) {
+    const auto partner = make_context();
+    const auto draw = [&](GLubyte shade) {
+        const auto context = make_context(partner.get());
+        std::vector<GLubyte> pixels(kSize * kSize * 4);
+        OSMesaMakeCurrent(context.get(), pixels.data(), GL_UNSIGNED_BYTE, kSize, kSize);
+        glColor3ub(shade, 0, 0);
+        const GLuint list = glGenLists(1);
+        glNewList(list, GL_COMPILE);
+        glRectf(-1, -1, 1, 1);
+        glEndList();
+        bool right = true;
+        for (int i = 0; i < 50; ++i) {
+            glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+            glCallList(list);
+            glFinish();
+            right = right && pixels[0] == shade && pixels[pixels.size() - 4] == shade;
+        }
+        OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+        return right;
+    };
+    std::vector<std::future<bool>> results;
+    for (GLubyte shade = 1; shade <= 6; ++shade) results.push_back(std::async(std::launch::async, draw, shade));
+    for (auto& result : results) EXPECT_TRUE(result.get());
+}
+
+TEST_F(OsmesaContexts, ArgumentsWithoutSenseAreRefused) {
+    const auto context = make_context();
+    GLint a = 5, b = 5, c = 5;
+    void* buffer = &a;
+    EXPECT_FALSE(OSMesaGetDepthBuffer(context.get(), &a, &b, &c, &buffer));  // never current
+    EXPECT_EQ(buffer, nullptr);
+    EXPECT_FALSE(OSMesaGetDepthBuffer(nullptr, &a, &b, &c, &buffer));
+    EXPECT_FALSE(OSMesaGetColorBuffer(nullptr, &a, &b, &c, &buffer));
+    EXPECT_FALSE(OSMesaGetColorBuffer(context.get(), nullptr, nullptr, nullptr, nullptr));
+    EXPECT_FALSE(OSMesaMakeCurrent(context.get(), m_pixels.data(), GL_UNSIGNED_BYTE, 16385, 1));
+    EXPECT_FALSE(OSMesaMakeCurrent(context.get(), m_pixels.data(), GL_UNSIGNED_BYTE, 0x7fffffff, 0x7fffffff));
+    OSMesaPixelStore(OSMESA_Y_UP, 1);  // with no context
+    OSMesaGetIntegerv(OSMESA_WIDTH, nullptr);
+    OSMesaGetIntegerv(OSMESA_FORMAT, &a);
+    OSMesaColorClamp(GL_TRUE);
+    OSMesaPostprocess(nullptr, nullptr, 1);
+    EXPECT_EQ(OSMesaGetProcAddress(nullptr), nullptr);
+    EXPECT_TRUE(ContextPointer(OSMesaCreateContextAttribs(nullptr, nullptr)));
+    const int core[] = {OSMESA_PROFILE, OSMESA_CORE_PROFILE, 0};
+    EXPECT_EQ(OSMesaCreateContextAttribs(core, nullptr), nullptr);
+    const int too_new[] = {OSMESA_CONTEXT_MAJOR_VERSION, 2, OSMESA_CONTEXT_MINOR_VERSION, 1, 0};
+    EXPECT_EQ(OSMesaCreateContextAttribs(too_new, nullptr), nullptr);
+}
+
+// Pixels of three components, which compare_libraries.py cannot ask Mesa about.
+TEST_F(OsmesaContexts, PixelsWithoutAlpha) {
+    const ContextPointer context(OSMesaCreateContext(OSMESA_RGB, nullptr));
+    std::vector<GLubyte> bytes(kSize * kSize * 3 + 1, 0xcd);
+    ASSERT_TRUE(OSMesaMakeCurrent(context.get(), bytes.data(), GL_UNSIGNED_BYTE, kSize, kSize));
+    glClearColor(1, 0.5f, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glFinish();
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 3) {
+        ASSERT_EQ(std::vector(&bytes[i], &bytes[i] + 3), (std::vector<GLubyte>{255, 128, 0})) << i;
+    }
+    EXPECT_EQ(bytes.back(), 0xcd);
+    GLint bits = -1;
+    glGetIntegerv(GL_ALPHA_BITS, &bits);
+    EXPECT_EQ(bits, 0);
+
+    std::vector<GLushort> words(kSize * kSize * 3 + 1, 0xcdcd);
+    ASSERT_TRUE(OSMesaMakeCurrent(context.get(), words.data(), GL_UNSIGNED_SHORT, kSize, kSize));
+    glClear(GL_COLOR_BUFFER_BIT);
+    glFinish();
+    EXPECT_EQ(words[words.size() - 4], 65535);
+    EXPECT_EQ(words[words.size() - 3], 32768);
+    EXPECT_EQ(words[words.size() - 2], 0);
+    EXPECT_EQ(words.back(), 0xcdcd);
+}
+
+}  // namespace
