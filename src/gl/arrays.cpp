@@ -41,26 +41,8 @@ void set_pointer(Context& ctx, ClientArray& array, GLint size, GLint low, GLint 
     array = {array.enabled, size, type, stride, pointer};
 }
 
-ClientArray* find_array(ArrayState& arrays, GLenum name) {
-    switch (name) {
-        case GL_VERTEX_ARRAY:
-            return &arrays.vertex;
-        case GL_NORMAL_ARRAY:
-            return &arrays.normal;
-        case GL_COLOR_ARRAY:
-            return &arrays.color;
-        case GL_INDEX_ARRAY:
-            return &arrays.index;
-        case GL_EDGE_FLAG_ARRAY:
-            return &arrays.edge_flag;
-        case GL_TEXTURE_COORD_ARRAY:
-            return &arrays.texture[arrays.active_texture];
-    }
-    return nullptr;
-}
-
 void set_enabled(Context& ctx, GLenum name, bool enabled) {
-    ClientArray* const array = find_array(ctx.arrays, name);
+    ClientArray* const array = find_client_array(ctx.arrays, name);
     if (!array) return record_error(ctx, GL_INVALID_ENUM, "no such array");
     array->enabled = enabled;
 }
@@ -208,6 +190,24 @@ constexpr InterleavedFormat kInterleaved[] = {
 };
 
 }  // namespace
+
+ClientArray* find_client_array(ArrayState& arrays, GLenum name) {
+    switch (name) {
+        case GL_VERTEX_ARRAY:
+            return &arrays.vertex;
+        case GL_NORMAL_ARRAY:
+            return &arrays.normal;
+        case GL_COLOR_ARRAY:
+            return &arrays.color;
+        case GL_INDEX_ARRAY:
+            return &arrays.index;
+        case GL_EDGE_FLAG_ARRAY:
+            return &arrays.edge_flag;
+        case GL_TEXTURE_COORD_ARRAY:
+            return &arrays.texture[arrays.active_texture];
+    }
+    return nullptr;
+}
 
 std::array<GLfloat, 4> element_of(const ClientArray& array, GLint i, bool normalized) {
     const GLsizei packed = array.size * size_of_type(array.type);

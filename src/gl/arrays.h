@@ -32,6 +32,9 @@ struct ArrayState {
         0;  // the unit glTexCoordPointer and glEnableClientState(GL_TEXTURE_COORD_ARRAY) act on
 };
 
+// The array that glEnableClientState calls `name`, null when there is none.
+ClientArray* find_client_array(ArrayState& arrays, GLenum name);
+
 // Element `i` of an array as floats, missing components as 0, 0, 0, 1; `normalized` integers stand for [0, 1]
 // or [-1, 1].
 std::array<GLfloat, 4> element_of(const ClientArray& array, GLint i, bool normalized);

@@ -21,6 +21,11 @@ struct ColorBufferGroup {
     GLenum draw_buffer;
 };
 
+struct CurrentGroup {
+    CurrentAttributes attributes;
+    RasterPosition raster_position;
+};
+
 struct DepthBufferGroup {
     DepthState state;
     GLdouble clear_depth;
@@ -47,6 +52,7 @@ struct TextureGroup {
 struct SavedAttributes {
     std::optional<std::array<GLfloat, 4>> clear_accum;
     std::optional<ColorBufferGroup> color_buffer;
+    std::optional<CurrentGroup> current;
     std::optional<DepthBufferGroup> depth_buffer;
     std::optional<std::vector<bool>> enables;
     std::optional<FogState> fog;
@@ -118,10 +124,10 @@ void restore_enables(Context& ctx, const std::vector<bool>& saved) {
 
 TextureGroup save_textures(Context& ctx) {
     TextureGroup group{ctx.texture.active_unit, ctx.texture.units, {}};
+    const std::lock_guard lock(ctx.shared->mutex);
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
         for (int target = 0; target < kTextureTargetCount; ++target) {
-            const auto& bound = group.units[unit].bound[target];
-            if (bound) group.parameters[unit][target] = bound->parameters;
+            group.parameters[unit][target] = group.units[unit].bound[target]->parameters;
         }
     }
     return group;
@@ -131,10 +137,18 @@ TextureGroup save_textures(Context& ctx) {
 void restore_textures(Context& ctx, const TextureGroup& group) {
     ctx.texture.active_unit = group.active_unit;
     ctx.texture.units = group.units;
+    const std::lock_guard lock(ctx.shared->mutex);
+    TextureNames& names = ctx.shared->textures;
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
         for (int target = 0; target < kTextureTargetCount; ++target) {
-            const auto& bound = group.units[unit].bound[target];
-            if (bound) bound->parameters = group.parameters[unit][target];
+            std::shared_ptr<TextureObject>& bound = ctx.texture.units[unit].bound[target];
+            const auto named = names.objects.find(bound->name);
+            const bool deleted = bound->name != 0 && (named == names.objects.end() || named->second != bound);
+            if (deleted) {
+                bound = names.defaults[target];
+            } else {
+                bound->parameters = group.parameters[unit][target];
+            }
         }
     }
 }
@@ -147,6 +161,7 @@ std::shared_ptr<const SavedAttributes> save(Context& ctx, GLbitfield mask) {
     if (mask & GL_COLOR_BUFFER_BIT) {
         saved->color_buffer = {fragment.color, clear.color, clear.index, ctx.framebuffer.draw_buffer};
     }
+    if (mask & GL_CURRENT_BIT) saved->current = {ctx.vertex.current, ctx.raster_position};
     if (mask & GL_DEPTH_BUFFER_BIT) saved->depth_buffer = {fragment.depth, clear.depth};
     if (mask & GL_ENABLE_BIT) saved->enables = save_enables(ctx);
     if (mask & GL_FOG_BIT) saved->fog = ctx.fog;
@@ -178,6 +193,10 @@ void restore(Context& ctx, const SavedAttributes& saved) {
         clear.color = saved.color_buffer->clear_color;
         clear.index = saved.color_buffer->clear_index;
         ctx.framebuffer.draw_buffer = saved.color_buffer->draw_buffer;
+    }
+    if (saved.current) {
+        ctx.vertex.current = saved.current->attributes;
+        ctx.raster_position = saved.current->raster_position;
     }
     if (saved.depth_buffer) {
         fragment.depth = saved.depth_buffer->state;

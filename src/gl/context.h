@@ -25,6 +25,7 @@
 #include "gl/lists.h"
 #include "gl/matrix.h"
 #include "gl/pixels.h"
+#include "gl/raster_position.h"
 #include "gl/rasterization.h"
 #include "gl/surface.h"
 #include "gl/texture.h"
@@ -56,6 +57,7 @@ struct Context {
     DispatchState dispatch;
     ErrorState error;
     VertexState vertex;
+    RasterPosition raster_position;
     ArrayState arrays;
     MatrixState matrix;
     LightingState lighting;

@@ -99,12 +99,10 @@ void disable(Context& ctx, GLenum cap) {
 }
 
 GLboolean is_enabled(Context& ctx, GLenum cap) {
-    const bool* enabled = find_capability(ctx, cap).enabled;
-    if (!enabled) {
-        record_error(ctx, GL_INVALID_ENUM, "no such capability");
-        return GL_FALSE;
-    }
-    return *enabled;
+    if (const bool* enabled = find_capability(ctx, cap).enabled) return *enabled;
+    if (const ClientArray* array = find_client_array(ctx.arrays, cap)) return array->enabled;
+    record_error(ctx, GL_INVALID_ENUM, "no such capability");
+    return GL_FALSE;
 }
 
 }  // namespace terrazzo::gl

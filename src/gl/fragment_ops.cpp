@@ -47,6 +47,22 @@ bool is_blend_factor(GLenum factor) {
     return false;
 }
 
+bool is_source_factor(GLenum factor) {
+    return is_blend_factor(factor) || factor == GL_SRC_ALPHA_SATURATE;
+}
+
+bool is_blend_equation(GLenum mode) {
+    switch (mode) {
+        case GL_FUNC_ADD:
+        case GL_FUNC_SUBTRACT:
+        case GL_FUNC_REVERSE_SUBTRACT:
+        case GL_MIN:
+        case GL_MAX:
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void scissor(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
@@ -95,15 +111,35 @@ void depth_mask(Context& ctx, GLboolean flag) {
 }
 
 void blend_func(Context& ctx, GLenum sfactor, GLenum dfactor) {
-    const bool source_ok = is_blend_factor(sfactor) || sfactor == GL_SRC_ALPHA_SATURATE;
-    if (!source_ok || !is_blend_factor(dfactor)) {
-        return record_error(ctx, GL_INVALID_ENUM, "no such blend factor");
-    }
+    blend_func_separate(ctx, sfactor, dfactor, sfactor, dfactor);
+}
+
+void blend_func_separate(Context& ctx, GLenum sfactor_rgb, GLenum dfactor_rgb, GLenum sfactor_alpha,
+                         GLenum dfactor_alpha) {
+    const bool ok = is_source_factor(sfactor_rgb) && is_source_factor(sfactor_alpha) &&
+                    is_blend_factor(dfactor_rgb) && is_blend_factor(dfactor_alpha);
+    if (!ok) return record_error(ctx, GL_INVALID_ENUM, "no such blend factor");
     BlendState& blend = ctx.fragment_ops.color.blend;
-    change(ctx, Dirty::kFragment, blend.source_rgb, sfactor);
-    change(ctx, Dirty::kFragment, blend.source_alpha, sfactor);
-    change(ctx, Dirty::kFragment, blend.destination_rgb, dfactor);
-    change(ctx, Dirty::kFragment, blend.destination_alpha, dfactor);
+    change(ctx, Dirty::kFragment, blend.source_rgb, sfactor_rgb);
+    change(ctx, Dirty::kFragment, blend.source_alpha, sfactor_alpha);
+    change(ctx, Dirty::kFragment, blend.destination_rgb, dfactor_rgb);
+    change(ctx, Dirty::kFragment, blend.destination_alpha, dfactor_alpha);
+}
+
+void blend_equation(Context& ctx, GLenum mode) {
+    blend_equation_separate(ctx, mode, mode);
+}
+
+void blend_equation_separate(Context& ctx, GLenum mode_rgb, GLenum mode_alpha) {
+    if (!is_blend_equation(mode_rgb) || !is_blend_equation(mode_alpha)) {
+        return record_error(ctx, GL_INVALID_ENUM, "no such blend equation");
+    }
+    change(ctx, Dirty::kFragment, ctx.fragment_ops.color.blend.equation_rgb, mode_rgb);
+    change(ctx, Dirty::kFragment, ctx.fragment_ops.color.blend.equation_alpha, mode_alpha);
+}
+
+void blend_color(Context& ctx, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+    change(ctx, Dirty::kFragment, ctx.fragment_ops.color.blend.color, std::array{red, green, blue, alpha});
 }
 
 void logic_op(Context& ctx, GLenum opcode) {

@@ -52,4 +52,31 @@ void get_doublev(Context& ctx, GLenum pname, GLdouble* data) {
     get(ctx, pname, data, to_double);
 }
 
+void get_pointerv(Context& ctx, GLenum pname, void** params) {
+    const ArrayState& arrays = ctx.arrays;
+    const ClientArray* array = nullptr;
+    switch (pname) {
+        case GL_VERTEX_ARRAY_POINTER:
+            array = &arrays.vertex;
+            break;
+        case GL_NORMAL_ARRAY_POINTER:
+            array = &arrays.normal;
+            break;
+        case GL_COLOR_ARRAY_POINTER:
+            array = &arrays.color;
+            break;
+        case GL_INDEX_ARRAY_POINTER:
+            array = &arrays.index;
+            break;
+        case GL_TEXTURE_COORD_ARRAY_POINTER:
+            array = &arrays.texture[arrays.active_texture];
+            break;
+        case GL_EDGE_FLAG_ARRAY_POINTER:
+            array = &arrays.edge_flag;
+            break;
+    }
+    if (!array) return record_error(ctx, GL_INVALID_ENUM, "no such pointer");
+    *params = const_cast<GLvoid*>(array->pointer);
+}
+
 }  // namespace terrazzo::gl

@@ -23,6 +23,9 @@ inline constexpr int kMaxNameStackDepth = 64;
 inline constexpr int kMaxListNesting = 64;
 inline constexpr int kMaxPixelMapTable = 256;
 
+inline constexpr int kMaxElementsVertices = 3000;  // of glDrawRangeElements, a recommendation
+inline constexpr int kMaxElementsIndices = 3000;
+
 inline constexpr float kMinPointSize = 1.0f;
 inline constexpr float kMaxPointSize = 255.0f;
 inline constexpr float kPointSizeGranularity = 0.1f;

@@ -1,9 +1,11 @@
 // Every state variable that glGet reads, each in its own type.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 
 #include "gl/context.h"
 
@@ -30,6 +32,26 @@ struct StateValues {
     }
     void push(GLdouble value) { data[count++] = value; }
 };
+
+template <typename Value>
+void normalized(StateValues& out, const Value& value) {
+    out.kind = StateKind::kNormalized;
+    out = value;
+}
+
+struct StateVariable {
+    GLenum name;
+    void (*read)(Context& ctx, StateValues& out);
+};
+
+template <std::size_t kCount>
+constexpr std::array<StateVariable, kCount> sorted_by_name(std::array<StateVariable, kCount> variables) {
+    std::ranges::sort(variables, {}, &StateVariable::name);
+    return variables;
+}
+
+std::span<const StateVariable> client_variables();
+std::span<const StateVariable> limit_variables();
 
 // False: there is no variable of this name.
 bool read_state(Context& ctx, GLenum pname, StateValues& values);

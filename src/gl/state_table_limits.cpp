@@ -1,0 +1,81 @@
+// The table of what never changes in a context: limits, and the formats of the render target (GL 1.5
+// tables 6.31-6.35).
+#include "gl/state_table.h"
+
+namespace terrazzo::gl {
+namespace {
+
+using Out = StateValues;
+
+struct ColorBits {
+    int red, green, blue, alpha;
+};
+
+ColorBits color_bits(const raster::TargetFormat& format) {
+    int bits = 8;
+    switch (format.color) {
+        case raster::ColorFormat::kRgba8:
+            break;
+        case raster::ColorFormat::kRgba16:
+            bits = 16;
+            break;
+        case raster::ColorFormat::kRgba32F:
+            bits = 32;
+            break;
+        case raster::ColorFormat::kRgb565:
+            return {5, 6, 5, 0};
+    }
+    return {bits, bits, bits, format.has_alpha ? bits : 0};
+}
+
+constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
+    // What the implementation promises
+    {GL_MAX_LIGHTS, [](Context&, Out& out) { out = kMaxLights; }},
+    {GL_MAX_CLIP_PLANES, [](Context&, Out& out) { out = kMaxClipPlanes; }},
+    {GL_MAX_MODELVIEW_STACK_DEPTH, [](Context&, Out& out) { out = kMaxModelviewDepth; }},
+    {GL_MAX_PROJECTION_STACK_DEPTH, [](Context&, Out& out) { out = kMaxProjectionDepth; }},
+    {GL_MAX_TEXTURE_STACK_DEPTH, [](Context&, Out& out) { out = kMaxTextureMatrixDepth; }},
+    {GL_MAX_ATTRIB_STACK_DEPTH, [](Context&, Out& out) { out = kMaxAttribDepth; }},
+    {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, [](Context&, Out& out) { out = kMaxClientAttribDepth; }},
+    {GL_MAX_NAME_STACK_DEPTH, [](Context&, Out& out) { out = kMaxNameStackDepth; }},
+    {GL_MAX_LIST_NESTING, [](Context&, Out& out) { out = kMaxListNesting; }},
+    {GL_MAX_PIXEL_MAP_TABLE, [](Context&, Out& out) { out = kMaxPixelMapTable; }},
+    {GL_MAX_TEXTURE_SIZE, [](Context&, Out& out) { out = kMaxTextureSize; }},
+    {GL_MAX_VIEWPORT_DIMS, [](Context&, Out& out) { out = std::array{kMaxViewportSize, kMaxViewportSize}; }},
+    {GL_SUBPIXEL_BITS, [](Context&, Out& out) { out = kSubpixelBits; }},
+    {GL_POINT_SIZE_RANGE, [](Context&, Out& out) { out = std::array{kMinPointSize, kMaxPointSize}; }},
+    {GL_POINT_SIZE_GRANULARITY, [](Context&, Out& out) { out = kPointSizeGranularity; }},
+    {GL_ALIASED_POINT_SIZE_RANGE, [](Context&, Out& out) { out = std::array{kMinPointSize, kMaxPointSize}; }},
+    {GL_LINE_WIDTH_RANGE, [](Context&, Out& out) { out = std::array{kMinLineWidth, kMaxLineWidth}; }},
+    {GL_LINE_WIDTH_GRANULARITY, [](Context&, Out& out) { out = kLineWidthGranularity; }},
+    {GL_ALIASED_LINE_WIDTH_RANGE, [](Context&, Out& out) { out = std::array{kMinLineWidth, kMaxLineWidth}; }},
+    {GL_MAX_ELEMENTS_VERTICES, [](Context&, Out& out) { out = kMaxElementsVertices; }},
+    {GL_MAX_ELEMENTS_INDICES, [](Context&, Out& out) { out = kMaxElementsIndices; }},
+
+    // The render target
+    {GL_RGBA_MODE, [](Context&, Out& out) { out = true; }},
+    {GL_INDEX_MODE, [](Context&, Out& out) { out = false; }},
+    {GL_DOUBLEBUFFER, [](Context&, Out& out) { out = false; }},
+    {GL_STEREO, [](Context&, Out& out) { out = false; }},
+    {GL_AUX_BUFFERS, [](Context&, Out& out) { out = 0; }},
+    {GL_INDEX_BITS, [](Context&, Out& out) { out = 0; }},
+    {GL_RED_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).red; }},
+    {GL_GREEN_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).green; }},
+    {GL_BLUE_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).blue; }},
+    {GL_ALPHA_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).alpha; }},
+    {GL_DEPTH_BITS, [](Context& c, Out& out) { out = c.surface.format.depth_bits; }},
+    {GL_STENCIL_BITS, [](Context& c, Out& out) { out = c.surface.format.stencil_bits; }},
+    {GL_ACCUM_RED_BITS, [](Context&, Out& out) { out = 0; }},
+    {GL_ACCUM_GREEN_BITS, [](Context&, Out& out) { out = 0; }},
+    {GL_ACCUM_BLUE_BITS, [](Context&, Out& out) { out = 0; }},
+    {GL_ACCUM_ALPHA_BITS, [](Context&, Out& out) { out = 0; }},
+    {GL_RENDER_MODE, [](Context&, Out& out) { out = GL_RENDER; }},
+}));
+
+}  // namespace
+
+std::span<const StateVariable> limit_variables() {
+    return kVariables;
+}
+
+}  // namespace terrazzo::gl
