@@ -120,7 +120,7 @@ std::string html_report(const Options& options, const std::vector<SceneReport>& 
     html += "</div>\n";
     const bool any_failed = totals.passed != reports.size();
     if (any_failed) {
-        html += "<nav>failed: ";
+        html += "<nav><span>failed:</span>";
         for (const SceneReport& report : reports)
             if (!report.passed()) html += fmt::format("<a href=\"#{0}\">{0}</a>", report.scene->name);
         html += "</nav>\n";

@@ -117,7 +117,8 @@ int run(CommandLine& line) {
         return 0;
     }
     if (chosen.empty()) throw std::runtime_error("no scene fits the filter");
-    // Scenes are compared side by side in threads of ours; OpenImageIO's own pool would only get in their way.
+    // Scenes are compared side by side in threads of ours; OpenImageIO's own pool would only get in their
+    // way.
     OIIO::attribute("threads", 1);
     if (line.options.ours == "softpipe") line.options.ours_is_softpipe = true;
     if (line.options.isas.empty()) line.options.isas.emplace_back();

@@ -12,7 +12,8 @@ namespace terrazzo {
 
 nlohmann::json draw_task(const nlohmann::json& arguments);
 
-// JSON {library}: strings, limits and commands that the library answers for.
+// JSON {library, names (a file of a packed list)}: strings, limits, and which GL 1.0-1.5 commands and which of the
+// names OSMesaGetProcAddress answers NULL for.
 nlohmann::json info_task(const nlohmann::json& arguments);
 
 }  // namespace terrazzo

@@ -3,6 +3,7 @@
 
 #include "draw_task.h"
 #include "kit/offscreen.h"
+#include "kit/shared_bytes.h"
 
 namespace terrazzo {
 namespace {
@@ -67,8 +68,10 @@ nlohmann::json info_task(const nlohmann::json& arguments) {
     const kit::OffscreenContext context(library, {});
     const kit::Gl& gl = library.gl;
     nlohmann::json missing = nlohmann::json::array();
-    for (const auto& name : arguments.value("names", std::vector<std::string>()))
-        if (!library.osmesa.GetProcAddress(name.c_str())) missing.push_back(name);
+    if (arguments.contains("names"))
+        for (const auto& name :
+             nlohmann::json::from_cbor(kit::read_bytes(arguments["names"].get<std::string>())))
+            if (!library.osmesa.GetProcAddress(name.get<std::string>().c_str())) missing.push_back(name);
     nlohmann::json commands = nlohmann::json::array();
     for (const kit::GlCommand& command : kit::kGlCommands)
         if (!library.osmesa.GetProcAddress(command.name)) commands.push_back(command.name);
@@ -77,6 +80,7 @@ nlohmann::json info_task(const nlohmann::json& arguments) {
             {"version", text(gl.GetString(GL_VERSION))},
             {"extensions", text(gl.GetString(GL_EXTENSIONS))},
             {"limits", limits(context)},
+            {"commands", std::size(kit::kGlCommands)},
             {"missing_commands", commands},
             {"missing_names", missing},
             {"not_exported", library.missing}};

@@ -29,14 +29,15 @@ figure { margin: 0; }
 figure img { display: block; width: 256px; height: auto; image-rendering: pixelated; border-radius: 4px; }
 figcaption { font-size: .8rem; color: var(--soft); }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: .25rem .7rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
+th, td { text-align: right; padding: .25rem .5rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th { font-weight: 600; color: var(--soft); font-size: .82rem; }
 th:first-child, td:first-child { text-align: left; }
 .figures { overflow-x: auto; margin-top: .7rem; }
 .good-text { color: var(--good); font-weight: 600; } .bad-text { color: var(--bad); font-weight: 600; }
 .warn-text { color: var(--warn); font-weight: 600; }
 ul.problems { margin: .6rem 0 0; padding-left: 1.2rem; color: var(--bad); }
-a { color: inherit; } nav a { margin-right: .8rem; }
+a { color: inherit; }
+nav { display: flex; flex-wrap: wrap; gap: .2rem .8rem; }
 .totals { display: flex; flex-wrap: wrap; gap: 1rem; margin: 1rem 0; }
 .totals div { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: .6rem 1.1rem; }
 .totals b { display: block; font-size: 1.5rem; }

@@ -5,13 +5,24 @@
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/generated/dispatch.h"
+#include "pipeline/workers.h"
+#include "raster/kernel_table.h"
 
 namespace terrazzo::gl {
 namespace {
 
 constexpr const char* kVendor = "Terrazzo";
-constexpr const char* kRenderer = "Terrazzo";
 constexpr const char* kExtensions = "";
+
+// Users measure and report with this string: it says what ran.
+const char* renderer() {
+    static const std::string text = [] {
+        const int threads = pipeline::thread_count();
+        return std::string("Terrazzo (") + simd::isa_name(raster::kernels().isa) + ", " +
+               std::to_string(threads) + (threads == 1 ? " thread)" : " threads)");
+    }();
+    return text.c_str();
+}
 
 const char* version() {
     static const std::string text = std::string(kGlVersion) + " Terrazzo " TERRAZZO_VERSION;
@@ -23,7 +34,7 @@ const char* find_string(GLenum name) {
         case GL_VENDOR:
             return kVendor;
         case GL_RENDERER:
-            return kRenderer;
+            return renderer();
         case GL_VERSION:
             return version();
         case GL_EXTENSIONS:

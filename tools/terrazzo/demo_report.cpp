@@ -44,9 +44,12 @@ std::string summary_header(const std::vector<int>& threads) {
     std::string html = "<tr><th>scene</th>";
     for (const int count : threads)
         html += fmt::format("<th>FPS, {0}</th><th>{1}</th><th>ratio</th>",
-                            count == 0 ? "in the caller" : fmt::format("{} threads", count), kTheirs);
+                            count == 0   ? "caller"
+                            : count == 1 ? "1 thread"
+                                         : fmt::format("{} threads", count),
+                            kTheirs);
     return html + fmt::format(
-                      "<th>first frame, ms</th><th>{0}</th><th>ratio</th><th>peak, MB</th><th>{0}</th>"
+                      "<th>first, ms</th><th>{0}</th><th>ratio</th><th>peak, MB</th><th>{0}</th>"
                       "<th>ratio</th></tr>\n",
                       kTheirs);
 }
@@ -102,7 +105,7 @@ OIIO::ImageBuf difference(const DemoScene& scene) {
 
 std::string figure(const OIIO::ImageBuf& picture, const std::string& caption) {
     return fmt::format(
-        "<figure><img alt=\"{0}\" src=\"{1}\" style=\"width:384px;image-rendering:auto\">"
+        "<figure><img alt=\"{0}\" src=\"{1}\" style=\"width:360px;image-rendering:auto\">"
         "<figcaption>{0}</figcaption></figure>\n",
         escaped(caption), report::png_data_uri(picture, kPicture));
 }

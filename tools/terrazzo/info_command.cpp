@@ -2,11 +2,13 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
 #include <memory>
+#include <set>
 
 #include "commands.h"
 #include "kit/child.h"
+#include "kit/shared_bytes.h"
+#include "osmesa_exports.h"
 #include "places.h"
 
 namespace terrazzo {
@@ -14,17 +16,14 @@ namespace {
 
 struct Options {
     std::string library = "terrazzo";
-    std::string names_path;
     bool missing = false;
 };
 
-std::vector<std::string> read_names(const std::string& path) {
-    std::vector<std::string> names;
-    if (path.empty()) return names;
-    std::ifstream file(path);
-    if (!file) throw std::runtime_error("cannot read " + path);
-    for (std::string line; std::getline(file, line);)
-        if (!line.empty() && line[0] != '#') names.push_back(line);
+// What the system's library exports and OSMesaGetProcAddress can be asked for: the GL commands.
+nlohmann::json exported_commands() {
+    nlohmann::json names = nlohmann::json::array();
+    for (const std::string_view name : kOsmesaExports)
+        if (name.starts_with("gl")) names.push_back(name);
     return names;
 }
 
@@ -38,7 +37,10 @@ void print_info(const nlohmann::json& info, const std::string& path) {
         for (const auto& value : limit["values"]) values += fmt::format(" {:g}", value.get<double>());
         fmt::print("{:<34}{}\n", limit["name"].get<std::string>(), values);
     }
-    fmt::print("GL 1.0-1.5 commands not implemented: {}\n", info["missing_commands"].size());
+    fmt::print("GL 1.0-1.5 commands not implemented: {} of {}\n", info["missing_commands"].size(),
+               info["commands"].get<int>());
+    fmt::print("names of the system's libOSMesa not implemented: {} (--missing lists them)\n",
+               info["missing_names"].size());
 }
 
 void run(const Options& options) {
@@ -47,15 +49,19 @@ void run(const Options& options) {
     request.executable = draw_program();
     request.task = "info";
 
-    request.arguments = {{"library", library.path}, {"names", read_names(options.names_path)}};
+    // Through memory: the list is longer than one command-line argument may be.
+    const kit::SharedBytes names(nlohmann::json::to_cbor(exported_commands()));
+    request.arguments = {{"library", library.path}, {"names", names.path()}};
     const kit::ChildReport report = kit::run_in_child(request);
     if (!report.finished()) throw std::runtime_error(report.message);
     if (!options.missing) {
         print_info(report.result, library.path);
         return;
     }
-    for (const auto& name : report.result["missing_commands"]) fmt::print("{}\n", name.get<std::string>());
-    for (const auto& name : report.result["missing_names"]) fmt::print("{}\n", name.get<std::string>());
+    std::set<std::string> missing;
+    for (const char* key : {"missing_commands", "missing_names"})
+        for (const auto& name : report.result[key]) missing.insert(name.get<std::string>());
+    for (const std::string& name : missing) fmt::print("{}\n", name);
 }
 
 }  // namespace
@@ -67,7 +73,6 @@ void add_info_command(CLI::App& app) {
         ->capture_default_str();
     command->add_flag("--missing", options->missing,
                       "List the names for which OSMesaGetProcAddress answers NULL");
-    command->add_option("--names", options->names_path, "A file of further names to ask for, one a line");
     command->callback([options] { run(*options); });
 }
 
