@@ -60,10 +60,17 @@ std::array<float, 4> background(const Scene& scene) {
     return colour;
 }
 
-bool is_background(const OIIO::ImageBuf::ConstIterator<float>& pixel, const std::array<float, 4>& colour,
-                   int channels, float threshold) {
-    for (int channel = 0; channel < channels; ++channel)
-        if (std::abs(pixel[channel] - colour[static_cast<std::size_t>(channel)]) > threshold) return false;
+// All channels as floats 0..1, whatever the picture's type.
+std::vector<float> floats_of(const OIIO::ImageBuf& picture) {
+    std::vector<float> values(picture.spec().image_pixels() * static_cast<std::size_t>(picture.nchannels()));
+    picture.get_pixels(picture.roi(), TypeDesc::FLOAT, values.data());
+    return values;
+}
+
+bool is_background(const float* pixel, const std::array<float, 4>& colour, std::size_t channels,
+                   float threshold) {
+    for (std::size_t channel = 0; channel < channels; ++channel)
+        if (std::abs(pixel[channel] - colour[channel]) > threshold) return false;
     return true;
 }
 
@@ -105,27 +112,29 @@ OIIO::ImageBuf stencil_picture(const Scene& scene, const Drawing& drawing) {
 std::size_t coverage_difference(const Scene& scene, const OIIO::ImageBuf& a, const OIIO::ImageBuf& b,
                                 float threshold) {
     const std::array<float, 4> colour = background(scene);
-    const int channels = std::min(4, a.nchannels());
+    const auto channels = static_cast<std::size_t>(std::min(4, a.nchannels()));
+    const std::vector<float> in_a = floats_of(a), in_b = floats_of(b);
     // Exactly background in one (to the rounding of the buffer's type), clearly something else in the other.
     constexpr float kExact = 0.2F / 255;
     std::size_t count = 0;
-    OIIO::ImageBuf::ConstIterator<float> in_a(a), in_b(b);
-    for (; !in_a.done(); ++in_a, ++in_b) {
-        const bool only_b = is_background(in_a, colour, channels, kExact) &&
-                            !is_background(in_b, colour, channels, threshold);
-        const bool only_a = is_background(in_b, colour, channels, kExact) &&
-                            !is_background(in_a, colour, channels, threshold);
-        if (only_a || only_b) ++count;
+    for (std::size_t i = 0; i < std::min(in_a.size(), in_b.size()); i += channels) {
+        const auto only = [&](const float* drawn, const float* empty) {
+            return is_background(empty, colour, channels, kExact) &&
+                   !is_background(drawn, colour, channels, threshold);
+        };
+        if (only(&in_a[i], &in_b[i]) || only(&in_b[i], &in_a[i])) ++count;
     }
     return count;
 }
 
 bool is_blank(const Scene& scene, const Drawing& drawing) {
     const OIIO::ImageBuf picture = colour_picture(scene, drawing);
+    const auto channels = static_cast<std::size_t>(std::min(4, picture.nchannels()));
+    const std::vector<float> values = floats_of(picture);
     const std::array<float, 4> colour = background(scene);
     constexpr float kStep = 1.5F / 255;
-    for (OIIO::ImageBuf::ConstIterator<float> pixel(picture); !pixel.done(); ++pixel)
-        if (!is_background(pixel, colour, std::min(4, picture.nchannels()), kStep)) return false;
+    for (std::size_t i = 0; i < values.size(); i += channels)
+        if (!is_background(&values[i], colour, channels, kStep)) return false;
     return true;
 }
 
