@@ -151,7 +151,8 @@ TEST_F(OsmesaContexts, ThreadsDrawAtTheSameTime) {
         return right;
     };
     std::vector<std::future<bool>> results;
-    for (GLubyte shade = 1; shade <= 6; ++shade) results.push_back(std::async(std::launch::async, draw, shade));
+    for (GLubyte shade = 1; shade <= 6; ++shade)
+        results.push_back(std::async(std::launch::async, draw, shade));
     for (auto& result : results) EXPECT_TRUE(result.get());
 }
 
