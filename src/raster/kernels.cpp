@@ -10,6 +10,7 @@ void general_kernel(const FragmentState& state, const Primitive& primitive, Bin&
     shade_tiles(RuntimeKey{state.key}, state, primitive, bin, list);
 }
 
+#if HWY_TARGET != HWY_SCALAR
 template <FragmentKey kKey>
 void specialised_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin,
                         const TileList& list) {
@@ -58,6 +59,12 @@ TileKernel select_kernel(const FragmentKey& key) {
         if (s.key == wanted) return s.kernel;
     return general_kernel;
 }
+#else
+// Without vector instructions the general kernel's branches cost next to nothing beside its arithmetic.
+TileKernel select_kernel(const FragmentKey&) {
+    return general_kernel;
+}
+#endif
 
 void fill(uint32_t* to, uint32_t value, size_t count) {
     const I32x16 wide(static_cast<int32_t>(value));

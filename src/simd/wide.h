@@ -23,7 +23,14 @@
 #define TERRAZZO_CONCAT(a, b) TERRAZZO_CONCAT_(a, b)
 #define TERRAZZO_ISA_NAMESPACE TERRAZZO_CONCAT(isa_, TERRAZZO_ISA)
 #define TERRAZZO_INLINE inline __attribute__((always_inline))
+// For what runs rarely or long: compiled once, however many kernels call it.
+#define TERRAZZO_NOINLINE inline __attribute__((noinline))
+// Sixteen copies of everything would only be slow to compile.
+#if HWY_TARGET == HWY_SCALAR
+#define TERRAZZO_FOR_PARTS for (int p = 0; p < kParts; ++p)
+#else
 #define TERRAZZO_FOR_PARTS _Pragma("GCC unroll 16") for (int p = 0; p < kParts; ++p)
+#endif
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

@@ -103,8 +103,8 @@ TERRAZZO_INLINE typename Channel::Value blend_channel(const FragmentState& state
 }
 
 template <class Channel>
-TERRAZZO_INLINE void blend_general(const FragmentState& state, const BlendInput<Channel>& in,
-                                   typename Channel::Value out[4]) {
+TERRAZZO_NOINLINE void blend_general(const FragmentState& state, const BlendInput<Channel>& in,
+                                     typename Channel::Value out[4]) {
     for (int c = 0; c < 4; ++c) out[c] = blend_channel<Channel>(state, in, c);
 }
 

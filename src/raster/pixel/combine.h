@@ -9,7 +9,7 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-TERRAZZO_INLINE Color combine(const TextureStage& stage, const Color& f, const Color& t) {
+TERRAZZO_NOINLINE Color combine(const TextureStage& stage, const Color& f, const Color& t) {
     const BaseFormat base = stage.base_format;
     const bool has_color = base != BaseFormat::kAlpha;
     const bool has_alpha = base != BaseFormat::kLuminance && base != BaseFormat::kRgb;

@@ -67,8 +67,8 @@ TERRAZZO_INLINE I32x16 apply(StencilOp op, I32x16 old, const StencilFace& face) 
     return old;
 }
 
-TERRAZZO_INLINE void update_stencil(StencilOp op, I32x16 old, const StencilFace& face, uint32_t mask,
-                                    uint8_t* to) {
+TERRAZZO_NOINLINE void update_stencil(StencilOp op, I32x16 old, const StencilFace& face, uint32_t mask,
+                                      uint8_t* to) {
     if (op == StencilOp::kKeep || mask == 0) return;
     const I32x16 writable(face.write_mask);
     const I32x16 value = (apply(op, old, face) & writable) | (old & (writable ^ I32x16(255)));

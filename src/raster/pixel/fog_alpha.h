@@ -8,7 +8,7 @@
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 // Mixes the fog colour in; `distance` is the fog coordinate.
-TERRAZZO_INLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 distance, Color& color) {
+TERRAZZO_NOINLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 distance, Color& color) {
     constexpr float kLog2E = 1.44269504f, kSqrtLog2E = 1.20112241f;
     F32x16 f(1.0f);
     switch (mode) {
@@ -38,8 +38,8 @@ TERRAZZO_INLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 
 
 // Which fragments pass; compared as the colour buffer would store alpha, in eight bits, unless it holds
 // floats.
-TERRAZZO_INLINE Mask16 alpha_test(Compare func, const FragmentState& state, ColorFormat format,
-                                  F32x16 alpha) {
+TERRAZZO_NOINLINE Mask16 alpha_test(Compare func, const FragmentState& state, ColorFormat format,
+                                    F32x16 alpha) {
     if (format == ColorFormat::kRgba32F) {
         const F32x16 reference(state.alpha_reference);
         switch (func) {

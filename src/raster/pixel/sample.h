@@ -209,7 +209,8 @@ TERRAZZO_INLINE Color lerp(Color a, Color b, F32x16 t) {
     return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b), a.a + t * (b.a - a.a)};
 }
 
-inline Color sample_float(const Sampler& sampler, const MipLevel& level, Filter filter, F32x16 s, F32x16 t) {
+TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& level, Filter filter, F32x16 s,
+                                     F32x16 t) {
     const FloatAxis x = float_axis(sampler.wrap_s, filter, s, level.width);
     FloatAxis y{I32x16(0), I32x16(0), mask_from_bits(0xffff), mask_from_bits(0xffff), F32x16(0.0f)};
     if (sampler.dimensions == 2) y = float_axis(sampler.wrap_t, filter, t, level.height);
@@ -229,7 +230,7 @@ TERRAZZO_INLINE bool samples_fixed(const Sampler& sampler) {
            (sampler.dimensions == 1 || plain(sampler.wrap_t));
 }
 
-inline Color sample_level(const Sampler& sampler, int level, Filter filter, F32x16 s, F32x16 t) {
+TERRAZZO_NOINLINE Color sample_level(const Sampler& sampler, int level, Filter filter, F32x16 s, F32x16 t) {
     const MipLevel& mip = sampler.levels[static_cast<size_t>(level)];
     if (!samples_fixed(sampler)) return sample_float(sampler, mip, filter, s, t);
     const Color8 c = to_color8(sample_fixed(sampler, mip, filter, s, t));
@@ -252,7 +253,7 @@ inline float fast_log2(float x) {
     return exponent + (mantissa - 1.0f);
 }
 
-inline QuadLod quad_lod(const Sampler& sampler, F32x16 s, F32x16 t) {
+TERRAZZO_NOINLINE QuadLod quad_lod(const Sampler& sampler, F32x16 s, F32x16 t) {
     alignas(64) float u[16], v[16];
     store(s * F32x16(static_cast<float>(sampler.levels[0].width)), u);
     store(t * F32x16(static_cast<float>(sampler.levels[0].height)), v);
@@ -284,8 +285,8 @@ TERRAZZO_INLINE Color select(Mask16 mask, const Color& yes, const Color& no) {
 }
 
 // Mip-mapped minification of the quads in `minified`, by distinct level.
-inline Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16 s, F32x16 t,
-                              uint32_t active) {
+TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16 s, F32x16 t,
+                                         uint32_t active) {
     const int last = sampler.level_count - 1;
     Color result{0.0f, 0.0f, 0.0f, 0.0f};
     uint32_t todo = active;
@@ -338,7 +339,7 @@ inline Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16
 }
 
 // The filtered texel at texture coordinates (s, t) of each pixel in `mask`.
-inline Color sample_texture(const Sampler& sampler, F32x16 s, F32x16 t, uint32_t mask) {
+TERRAZZO_NOINLINE Color sample_texture(const Sampler& sampler, F32x16 s, F32x16 t, uint32_t mask) {
     const bool filters_agree =
         sampler.mip_filter == MipFilter::kNone && sampler.min_filter == sampler.mag_filter;
     if (filters_agree) return sample_level(sampler, 0, sampler.mag_filter, s, t);

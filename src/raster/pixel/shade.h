@@ -54,8 +54,8 @@ TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interp
     return {f.r * t.r, f.g * t.g, f.b * t.b, stage.base_format == BaseFormat::kRgb ? f.a : f.a * t.a};
 }
 
-inline Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w, Color color,
-                            uint32_t mask) {
+TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w,
+                                       Color color, uint32_t mask) {
     for (int i = 0; i < state.texture_count; ++i) {
         const TextureStage& stage = state.textures[i];
         const int first = state.varyings.texture[stage.unit];

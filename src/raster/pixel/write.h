@@ -104,8 +104,8 @@ inline void encode_pixel(ColorFormat format, const int32_t (&v)[4], std::byte* o
 }
 
 template <class Key>
-inline void write_other_format(Key key, const FragmentState& state, const Color& color, uint32_t mask,
-                               std::byte* tile) {
+TERRAZZO_NOINLINE void write_other_format(Key key, const FragmentState& state, const Color& color,
+                                          uint32_t mask, std::byte* tile) {
     const FragmentKey& k = key.value;
     const bool is_float = k.color_format == ColorFormat::kRgba32F;
     const ChannelLimits limits = channel_limits(k.color_format);
