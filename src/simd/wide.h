@@ -150,8 +150,17 @@ TERRAZZO_INLINE I32x16 clamp(I32x16 v, I32x16 low, I32x16 high) {
 TERRAZZO_UNARY_F(operator-, Neg)
 TERRAZZO_UNARY_F(abs, Abs)
 TERRAZZO_UNARY_F(sqrt, Sqrt)
-TERRAZZO_UNARY_F(floor, Floor)
 #undef TERRAZZO_UNARY_F
+
+TERRAZZO_INLINE F32x16 floor(F32x16 a) {
+    F32x16 r;
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Set(TagF(), __builtin_floorf(hn::GetLane(a.part[p])));
+#else
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Floor(a.part[p]);
+#endif
+    return r;
+}
 
 template <int kBits>
 TERRAZZO_INLINE I32x16 shift_left(I32x16 a) {
