@@ -1,7 +1,8 @@
 // stress-draws: the pictures of seeds as checksums, a line a seed.
 //
-// usage: stress-draws FIRST COUNT. Each seed also chooses the buffer's format and size. The instruction set and the
-// threads come from the environment: the library chooses once a process, so compare_runs.py starts one for each choice.
+// usage: stress-draws FIRST COUNT. Each seed also chooses the buffer's format and size. The instruction set
+// and the threads come from the environment: the library chooses once a process, so compare_runs.py starts
+// one for each choice.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -21,7 +22,8 @@ class Checksum {
     template <class T>
     void add(const std::vector<T>& values) {
         const auto* const bytes = reinterpret_cast<const unsigned char*>(values.data());
-        for (std::size_t i = 0; i < values.size() * sizeof(T); ++i) m_value = (m_value ^ bytes[i]) * 0x100000001b3u;
+        for (std::size_t i = 0; i < values.size() * sizeof(T); ++i)
+            m_value = (m_value ^ bytes[i]) * 0x100000001b3u;
     }
     std::uint64_t value() const { return m_value; }
 
@@ -31,7 +33,8 @@ class Checksum {
 
 kit::ContextOptions options_of(std::uint64_t seed) {
     stress::Random random(seed ^ 0x9e3779b97f4a7c15u);
-    constexpr GLenum kTypes[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_FLOAT, GL_UNSIGNED_SHORT};
+    constexpr GLenum kTypes[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_FLOAT,
+                                 GL_UNSIGNED_SHORT};
     constexpr GLenum kFormats[] = {OSMESA_RGBA, OSMESA_BGRA, OSMESA_RGB};
     kit::ContextOptions options;
     options.type = random.one_of(kTypes);
@@ -66,7 +69,8 @@ int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);  // what was drawn before a crash is known
     try {
         const kit::Library library(TERRAZZO_OWN_LIBRARY);
-        const std::uint64_t first = std::strtoull(argv[1], nullptr, 10), count = std::strtoull(argv[2], nullptr, 10);
+        const std::uint64_t first = std::strtoull(argv[1], nullptr, 10),
+                            count = std::strtoull(argv[2], nullptr, 10);
         for (std::uint64_t seed = first; seed < first + count; ++seed) run_seed(library, seed);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "stress-draws: %s\n", failure.what());

@@ -1,7 +1,8 @@
 // stress-frame-memory: how much memory triangles take that wait for their pixels.
 //
-// usage: stress-frame-memory arrays|immediate TRIANGLES MEGABYTES. Draws that many triangles between two reads, from one
-// small array again and again or between one Begin and End, and fails when the process ever held more than MEGABYTES.
+// usage: stress-frame-memory arrays|immediate TRIANGLES MEGABYTES. Draws that many triangles between two
+// reads, from one small array again and again or between one Begin and End, and fails when the process ever
+// held more than MEGABYTES.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

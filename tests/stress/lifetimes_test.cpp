@@ -230,7 +230,8 @@ Function function_of(void* handle, const char* name) {
     return reinterpret_cast<Function>(dlsym(handle, name));
 }
 
-// Draws with a library loaded by hand, in a thread of its own: its thread-local destructors run before the library goes.
+// Draws with a library loaded by hand, in a thread of its own: its thread-local destructors run before the
+// library goes.
 void draw_with(void* handle) {
     const auto create = function_of<decltype(&::OSMesaCreateContext)>(handle, "OSMesaCreateContext");
     const auto make_current = function_of<decltype(&::OSMesaMakeCurrent)>(handle, "OSMesaMakeCurrent");
@@ -256,8 +257,10 @@ int threads_of_this_process() {
 TEST(Library, LoadedAndUnloadedAgain) {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
-    if (child == 0) execl("/proc/self/exe", "lifetimes_test", "--gtest_filter=Library.DISABLED_Reload",
-                          "--gtest_also_run_disabled_tests", static_cast<char*>(nullptr)), _exit(127);
+    if (child == 0)
+        execl("/proc/self/exe", "lifetimes_test", "--gtest_filter=Library.DISABLED_Reload",
+              "--gtest_also_run_disabled_tests", static_cast<char*>(nullptr)),
+            _exit(127);
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "status " << status;

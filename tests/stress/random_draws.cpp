@@ -8,7 +8,8 @@
 namespace terrazzo::stress {
 namespace {
 
-constexpr GLenum kCompares[] = {GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
+constexpr GLenum kCompares[] = {GL_NEVER,   GL_LESS,     GL_EQUAL,  GL_LEQUAL,
+                                GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
 
 class Player {
   public:
@@ -37,7 +38,8 @@ class Player {
         float values[4];
     };
     Color color() {
-        return {{m_random.between(0, 1), m_random.between(0, 1), m_random.between(0, 1), m_random.between(0, 1)}};
+        return {
+            {m_random.between(0, 1), m_random.between(0, 1), m_random.between(0, 1), m_random.between(0, 1)}};
     }
     void enable(GLenum what, bool on) { on ? gl.Enable(what) : gl.Disable(what); }
 
@@ -46,7 +48,8 @@ class Player {
         gl.ClearColor(c.values[0], c.values[1], c.values[2], c.values[3]);
         gl.ClearDepth(m_random.coin() ? 1.0 : static_cast<double>(m_random.between(0, 1)));
         gl.ClearStencil(m_random.below(256));
-        gl.Clear(m_random.once_in(4) ? GL_COLOR_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        gl.Clear(m_random.once_in(4) ? GL_COLOR_BUFFER_BIT
+                                     : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
 
     std::vector<std::uint8_t> texels(int count) {
@@ -55,14 +58,16 @@ class Player {
         return bytes;
     }
     void image(GLenum target, int level, int width, int height) {
-        constexpr GLint kInternal[] = {GL_RGBA8, GL_RGB8, GL_ALPHA8, GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8, GL_INTENSITY8,
-                                       GL_RGB5_A1, GL_RGBA16};
+        constexpr GLint kInternal[] = {
+            GL_RGBA8,      GL_RGB8,    GL_ALPHA8, GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8,
+            GL_INTENSITY8, GL_RGB5_A1, GL_RGBA16};
         if (level == 0) m_internal = m_random.one_of(kInternal);
         const auto data = texels(width * height * 4);
         if (target == GL_TEXTURE_1D)
             gl.TexImage1D(target, level, m_internal, width, 0, GL_RGBA, GL_UNSIGNED_BYTE, data.data());
         else
-            gl.TexImage2D(target, level, m_internal, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, data.data());
+            gl.TexImage2D(target, level, m_internal, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                          data.data());
     }
     void make_textures() {
         gl.GenTextures(kTextures, m_textures);
@@ -112,8 +117,8 @@ class Player {
         gl.Rotatef(m_random.between(-180, 180), m_random.between(-1, 1), m_random.between(-1, 1), 1);
         if (m_random.once_in(3)) gl.Scalef(m_random.between(0.3f, 2), m_random.between(0.3f, 2), 1);
         for (int plane = 0; plane < 3; ++plane) {
-            const GLdouble equation[4] = {m_random.between(-1, 1), m_random.between(-1, 1), m_random.between(-1, 1),
-                                          m_random.between(0, 1)};
+            const GLdouble equation[4] = {m_random.between(-1, 1), m_random.between(-1, 1),
+                                          m_random.between(-1, 1), m_random.between(0, 1)};
             gl.ClipPlane(GL_CLIP_PLANE0 + static_cast<GLenum>(plane), equation);
             enable(GL_CLIP_PLANE0 + static_cast<GLenum>(plane), m_random.once_in(8));
         }
@@ -132,8 +137,8 @@ class Player {
         gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, color().values);
         for (GLenum light = GL_LIGHT0; light < GL_LIGHT3; ++light) {
             enable(light, m_random.coin());
-            const GLfloat position[4] = {m_random.between(-4, 4), m_random.between(-4, 4), m_random.between(0, 6),
-                                         m_random.coin() ? 1.0f : 0.0f};
+            const GLfloat position[4] = {m_random.between(-4, 4), m_random.between(-4, 4),
+                                         m_random.between(0, 6), m_random.coin() ? 1.0f : 0.0f};
             gl.Lightfv(light, GL_POSITION, position);
             gl.Lightfv(light, GL_DIFFUSE, color().values);
             gl.Lightfv(light, GL_SPECULAR, color().values);
@@ -145,8 +150,12 @@ class Player {
 
     void texturing() {
         constexpr GLint kWraps[] = {GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE};
-        constexpr GLint kMinFilters[] = {GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
-                                         GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR};
+        constexpr GLint kMinFilters[] = {GL_NEAREST,
+                                         GL_LINEAR,
+                                         GL_NEAREST_MIPMAP_NEAREST,
+                                         GL_LINEAR_MIPMAP_NEAREST,
+                                         GL_NEAREST_MIPMAP_LINEAR,
+                                         GL_LINEAR_MIPMAP_LINEAR};
         constexpr GLint kModes[] = {GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND};
         constexpr GLint kGenerators[] = {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP};
         const int texture = m_random.below(kTextures);
@@ -193,17 +202,21 @@ class Player {
     }
 
     void fragments() {
-        constexpr GLenum kFactors[] = {GL_ZERO, GL_ONE, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_DST_COLOR, GL_DST_ALPHA,
-                                       GL_ONE_MINUS_DST_ALPHA, GL_SRC_ALPHA_SATURATE};
-        constexpr GLenum kDestinations[] = {GL_ZERO, GL_ONE, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_COLOR,
-                                            GL_ONE_MINUS_SRC_COLOR, GL_DST_ALPHA};
+        constexpr GLenum kFactors[] = {
+            GL_ZERO,      GL_ONE,       GL_SRC_ALPHA,           GL_ONE_MINUS_SRC_ALPHA,
+            GL_DST_COLOR, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_SRC_ALPHA_SATURATE};
+        constexpr GLenum kDestinations[] = {
+            GL_ZERO,     GL_ONE, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
+            GL_DST_ALPHA};
         constexpr GLenum kStencilOps[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT};
         enable(GL_SCISSOR_TEST, m_random.once_in(5));
-        gl.Scissor(m_random.below(m_width / 2 + 1), m_random.below(m_height / 2 + 1), m_random.below(m_width), m_random.below(m_height));
+        gl.Scissor(m_random.below(m_width / 2 + 1), m_random.below(m_height / 2 + 1), m_random.below(m_width),
+                   m_random.below(m_height));
         enable(GL_ALPHA_TEST, m_random.once_in(5));
         gl.AlphaFunc(m_random.one_of(kCompares), m_random.between(0, 1));
         enable(GL_STENCIL_TEST, m_random.once_in(4));
-        gl.StencilFunc(m_random.one_of(kCompares), m_random.below(256), static_cast<GLuint>(m_random.below(256)));
+        gl.StencilFunc(m_random.one_of(kCompares), m_random.below(256),
+                       static_cast<GLuint>(m_random.below(256)));
         const GLenum fail = m_random.one_of(kStencilOps), depth_fail = m_random.one_of(kStencilOps);
         gl.StencilOp(fail, depth_fail, m_random.one_of(kStencilOps));
         gl.StencilMask(m_random.coin() ? 0xffu : static_cast<GLuint>(m_random.below(256)));
@@ -233,7 +246,12 @@ class Player {
     // Mostly inside the view, now and then far outside, once in a while no number at all.
     float coordinate() {
         if (!m_random.once_in(40)) return m_random.between(-3, 3);
-        constexpr float kOdd[] = {0.0f, 1e30f, -1e30f, 1e5f, -300.0f, std::numeric_limits<float>::infinity(),
+        constexpr float kOdd[] = {0.0f,
+                                  1e30f,
+                                  -1e30f,
+                                  1e5f,
+                                  -300.0f,
+                                  std::numeric_limits<float>::infinity(),
                                   std::numeric_limits<float>::quiet_NaN()};
         return m_random.one_of(kOdd);
     }
@@ -255,8 +273,10 @@ class Player {
         const GLenum mode = GL_POINTS + static_cast<GLenum>(m_random.below(GL_POLYGON + 1));
         const int count = 1 + m_random.below(m_random.once_in(8) ? 400 : 40);
         switch (m_random.below(4)) {
-            case 0: return draw_arrays(mode, count);
-            case 1: return draw_elements(mode, count);
+            case 0:
+                return draw_arrays(mode, count);
+            case 1:
+                return draw_elements(mode, count);
             case 2: {
                 const GLuint list = gl.GenLists(1);
                 gl.NewList(list, GL_COMPILE);
@@ -265,7 +285,8 @@ class Player {
                 gl.CallList(list);
                 return gl.DeleteLists(list, 1);
             }
-            default: return draw_immediate(mode, count);
+            default:
+                return draw_immediate(mode, count);
         }
     }
     void draw_immediate(GLenum mode, int count) {
@@ -300,7 +321,8 @@ class Player {
         const int vertex_count = 1 + m_random.below(60);
         const auto vertices = point_at_vertices(vertex_count);
         std::vector<GLushort> indices;
-        for (int i = 0; i < count; ++i) indices.push_back(static_cast<GLushort>(m_random.below(vertex_count)));
+        for (int i = 0; i < count; ++i)
+            indices.push_back(static_cast<GLushort>(m_random.below(vertex_count)));
         gl.DrawElements(mode, count, GL_UNSIGNED_SHORT, indices.data());
         let_go_of_arrays();
     }
@@ -314,6 +336,8 @@ class Player {
 
 }  // namespace
 
-void draw_random(const kit::Gl& gl, std::uint64_t seed, int width, int height) { Player(gl, seed, width, height).play(); }
+void draw_random(const kit::Gl& gl, std::uint64_t seed, int width, int height) {
+    Player(gl, seed, width, height).play();
+}
 
 }  // namespace terrazzo::stress
