@@ -11,8 +11,7 @@ namespace terrazzo::gl {
 namespace {
 
 raster::Target& finished_target(Context& ctx) {
-    begin_change(ctx, Dirty::kFramebuffer);
-    ctx.renderer.finish();
+    finish_drawing(ctx);
     return *ctx.renderer.target();
 }
 

@@ -133,7 +133,8 @@ void bind_texture(Context& ctx, GLenum target, GLuint texture) {
     lock.unlock();
     if (!object) return record_error(ctx, GL_INVALID_OPERATION, "the texture belongs to another target");
     std::shared_ptr<TextureObject>& bound = ctx.texture.units[ctx.texture.active_unit].bound[index];
-    if (bound == object) return;
+    // Contexts that share textures see each other's changes when they bind.
+    if (bound == object && ctx.shared.use_count() == 1) return;
     begin_change(ctx, Dirty::kTexture);
     bound = std::move(object);
 }

@@ -71,9 +71,7 @@ void copy_tex_sub_image(Context& ctx, GLenum target, GLint level_number, const L
     if (!level.format) return record_error(ctx, GL_INVALID_OPERATION, "the level has no image");
     if (!contains(level, rect)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
     if (!level.image || rect.width == 0 || rect.height == 0) return;
-    pipeline::TextureImage* image = pipeline::mutable_image(level.image);
-    if (!image) throw std::bad_alloc();
-    copy_pixels(ctx.pixels, source, x, y, rect, *level.format, *image);
+    copy_pixels(ctx.pixels, source, x, y, rect, *level.format, writable_image(ctx, level));
 }
 
 }  // namespace

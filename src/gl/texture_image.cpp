@@ -66,9 +66,7 @@ void tex_sub_image(Context& ctx, GLenum target, GLint level_number, const LevelR
     if (!level.format) return record_error(ctx, GL_INVALID_OPERATION, "the level has no image");
     if (!contains(level, rect)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
     if (!client.pixels || !level.image || rect.width == 0 || rect.height == 0) return;
-    pipeline::TextureImage* image = pipeline::mutable_image(level.image);
-    if (!image) throw std::bad_alloc();
-    upload(ctx.pixels, client, *level.format, rect, *image);
+    upload(ctx.pixels, client, *level.format, rect, writable_image(ctx, level));
 }
 
 }  // namespace

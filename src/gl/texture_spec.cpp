@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 
+#include "gl/context.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
 #include "gl/texel_row.h"
@@ -123,6 +124,14 @@ bool contains(const TextureLevel& level, const LevelRect& rect) {
     const int64_t border_y = level.image ? level.image->border_y : level.border;
     return rect.x >= -border_x && int64_t{rect.x} + rect.width <= level.width - border_x &&
            rect.y >= -border_y && int64_t{rect.y} + rect.height <= level.height - border_y;
+}
+
+pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
+    // What the last draw derived is stale and would count as a reference to the image.
+    ctx.drawing.state.fragment.reset();
+    pipeline::TextureImage* image = pipeline::mutable_image(level.image);
+    if (!image) throw std::bad_alloc();
+    return *image;
 }
 
 void upload(const PixelState& state, const ClientImage& client, const TexelFormat& format,

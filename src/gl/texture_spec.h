@@ -47,6 +47,10 @@ TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format);
 // Whether `rect` lies within the level; `level` is specified.
 bool contains(const TextureLevel& level, const LevelRect& rect);
 
+// The level's image, to be written to; a copy takes its place if queued draws refer to it. `level` has one,
+// and `begin_change` was called. Throws std::bad_alloc.
+pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level);
+
 // Pixels in client memory.
 struct ClientImage {
     GLenum format, type;
