@@ -275,7 +275,8 @@ void array_element(Context& ctx, GLint i) {
 void draw_arrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
     if (!check_mode_and_count(ctx, mode, count)) return;
     if (first < 0) return record_error(ctx, GL_INVALID_VALUE, "first is negative");
-    draw_range(ctx, mode, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), nullptr});
+    draw_range(ctx, mode,
+               {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), nullptr, true});
 }
 
 void draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const void* indices) {

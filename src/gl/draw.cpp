@@ -18,7 +18,7 @@ void begin_change(Context& ctx, Dirty what) {
 
 void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
                      const pipeline::VertexRange& range, bool w_is_one) {
-    validate(ctx, input, mode, w_is_one);
+    validate(ctx, input, w_is_one);
     ctx.surface.drawn = true;
     ctx.renderer.draw(ctx.drawing.state, input, translate_mode(mode), range);
 }

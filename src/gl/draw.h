@@ -18,7 +18,6 @@ struct Drawing {
     // What the derived state was made for besides the GL state.
     pipeline::AttributeMask streamed = 0;
     bool w_is_one = false;
-    bool filled_polygons = false;
     std::array<float, 4> constant_color{};
 };
 
@@ -28,7 +27,7 @@ void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& inp
                      const pipeline::VertexRange& range, bool w_is_one);
 
 // Brings ctx.drawing.state up to date for a draw of these attributes.
-void validate(Context& ctx, const pipeline::VertexInput& input, GLenum mode, bool w_is_one);
+void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one);
 
 // The pixels that draws and clears may touch, in the target's rows.
 void scissor_box(const Context& ctx, pipeline::RasterState& out);

@@ -5,6 +5,7 @@
 
 #include "gl/context.h"
 #include "gl/draw.h"
+#include "gl/limits.h"
 #include "gl/share.h"
 #include "gl/translate.h"
 
@@ -140,19 +141,24 @@ void make_raster(const Context& ctx, pipeline::RasterState& out) {
     out.front_is_clockwise = polygon.front_face == GL_CW;
     out.fill[0] = translate_fill_mode(polygon.front_mode);
     out.fill[1] = translate_fill_mode(polygon.back_mode);
+    // Sides that are culled do not make a draw one of lines or points.
+    if (out.cull_front) out.fill[0] = out.fill[1];
+    if (out.cull_back) out.fill[1] = out.fill[0];
+    out.polygon_stipple = polygon.stipple_enabled;
     out.offset_fill = polygon.offset_fill;
     out.offset_line = polygon.offset_line;
     out.offset_point = polygon.offset_point;
     out.offset_factor = polygon.offset_factor;
     // Twice the smallest step of the depth format, as the reference has it (GL 1.5 §3.5.5 leaves r to us).
-    const float range = ctx.surface.format.depth_bits == 16 ? 65535.0f : 16777215.0f;
-    out.offset_units = polygon.offset_units * (1.0f / range) * 2.0f;
-    out.line_width = ctx.rasterization.line.width;
-    out.line_smooth = ctx.rasterization.line.smooth;
-    out.line_stipple = ctx.rasterization.line.stipple_enabled;
-    out.line_stipple_factor = ctx.rasterization.line.stipple_factor;
-    out.line_stipple_pattern = ctx.rasterization.line.stipple_pattern;
-    out.point_size = ctx.rasterization.point.size;
+    const double range = ctx.surface.format.depth_bits == 16 ? 65535.0 : 16777215.0;
+    out.offset_units = static_cast<float>(polygon.offset_units * (1.0 / range) * 2);
+    const LineState& line = ctx.rasterization.line;
+    out.line_width = std::clamp(line.width, kMinLineWidth, kMaxLineWidth);
+    out.line_smooth = line.smooth;
+    out.line_stipple = line.stipple_enabled && line.stipple_pattern != 0xffff;
+    out.line_stipple_factor = line.stipple_factor;
+    out.line_stipple_pattern = line.stipple_pattern;
+    out.point_size = std::min(ctx.rasterization.point.size, kMaxPointSize);
     out.point_smooth = ctx.rasterization.point.smooth;
 }
 
@@ -352,7 +358,7 @@ bool is_plain_bilinear(const raster::FragmentState& state, const std::vector<ras
 void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     pipeline::DrawState& draw = ctx.drawing.state;
     auto block = std::make_shared<pipeline::FragmentBlock>();
-    raster::FragmentState& state = block->state;
+    raster::FragmentState& state = block->fill;
     make_tests(ctx, state);
     make_blending(ctx, state);
     make_fog(ctx, state);
@@ -361,7 +367,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     key.depth_offset = key.depth_test &&
                        (polygon.offset_fill || polygon.offset_line || polygon.offset_point) &&
                        (polygon.offset_factor != 0 || polygon.offset_units != 0);
-    key.polygon_stipple = polygon.stipple_enabled && ctx.drawing.filled_polygons;
+    key.polygon_stipple = polygon.stipple_enabled;
     if (key.polygon_stipple) {
         block->polygon_stipple.assign(ctx.rasterization.polygon_stipple.rows.begin(),
                                       ctx.rasterization.polygon_stipple.rows.end());
@@ -420,7 +426,7 @@ void scissor_box(const Context& ctx, pipeline::RasterState& out) {
     out.y1 = static_cast<int>(std::max<std::int64_t>(target.height - y0, 0));
 }
 
-void validate(Context& ctx, const pipeline::VertexInput& input, GLenum mode, bool w_is_one) {
+void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     Drawing& drawing = ctx.drawing;
     pipeline::VertexState& vertex = drawing.state.vertex;
     if (is_dirty(ctx, Dirty::kTransform) || is_dirty(ctx, Dirty::kFramebuffer)) make_transform(ctx, vertex);
@@ -433,15 +439,13 @@ void validate(Context& ctx, const pipeline::VertexInput& input, GLenum mode, boo
     const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill &&
                             drawing.state.raster.fill[1] == pipeline::FillMode::kFill;
     vertex.edge_flags = !all_filled;
-    const bool filled_polygons = mode >= GL_TRIANGLES && all_filled;
     const auto& color = input.constants[pipeline::kColor];
-    const bool same_vertices = drawing.streamed == input.streamed && drawing.w_is_one == w_is_one &&
-                               drawing.constant_color == color && drawing.filled_polygons == filled_polygons;
+    const bool same_vertices =
+        drawing.streamed == input.streamed && drawing.w_is_one == w_is_one && drawing.constant_color == color;
     if (ctx.dirty == 0 && same_vertices && drawing.state.fragment) return;
     drawing.streamed = input.streamed;
     drawing.w_is_one = w_is_one;
     drawing.constant_color = color;
-    drawing.filled_polygons = filled_polygons;
     make_fragment(ctx, input, w_is_one);
     ctx.dirty = 0;
 }

@@ -77,7 +77,7 @@ void draw_runs(Context& ctx) {
         input.streams[batch.streams[i]] = {bytes + 4 * sizeof(float) * (i + 1), stride,
                                            pipeline::ComponentType::kFloat32, 4, false};
     for (const PrimitiveRun& run : batch.runs)
-        draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, batch.w_is_one);
+        draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr, true}, batch.w_is_one);
 }
 
 // How many of a run's vertices can be drawn now, and which of them the rest of the run needs again.

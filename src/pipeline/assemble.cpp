@@ -2,34 +2,19 @@
 #include "pipeline/assemble.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace terrazzo::pipeline {
 
 namespace {
 
-// Vertices of one chunk: the most that ShadedVertices holds before clipping adds some.
-constexpr uint32_t kChunkVertices = 12288;
+// Vertices of one chunk of an indexed draw: enough to shade most that are used again only once.
+constexpr uint32_t kIndexedVertices = 12288;
+static_assert(kIndexedVertices + 16 <= ShadedVertices::kChunkSlots);
 
 int column_count(const VertexState& state) {
     const bool back_colors = state.lighting.enabled && state.lighting.two_sided;
     return kFirstVarying + state.varyings.count * (back_colors ? 2 : 1);
-}
-
-TriangleSetup triangle_setup(const DrawState& state) {
-    const RasterState& r = state.raster;
-    TriangleSetup setup;
-    setup.state = &state.fragment->state;
-    setup.x0 = r.x0, setup.y0 = r.y0, setup.x1 = r.x1, setup.y1 = r.y1;
-    setup.cull_front = r.cull_front;
-    setup.cull_back = r.cull_back;
-    setup.front_is_clockwise = r.front_is_clockwise;
-    setup.row0_is_top = r.row0_is_top;
-    setup.flat = r.flat;
-    setup.two_sided = state.vertex.lighting.enabled && state.vertex.lighting.two_sided;
-    setup.offset = r.offset_fill;
-    setup.offset_factor = r.offset_factor;
-    setup.offset_units = r.offset_units;
-    return setup;
 }
 
 // How many primitives `count` vertices make.
@@ -92,101 +77,115 @@ bool has_pivot(PrimitiveMode mode) {
            mode == PrimitiveMode::kLineLoop;
 }
 
-// Primitives whose positions, and the pivot, fit a chunk.
-uint32_t chunk_primitives(PrimitiveMode mode) {
+// Primitives of one chunk. Where vertices come without indices these are the pieces in which the reference
+// draws: it treats all of a piece alike if one vertex of it is clipped (doc/reference.md §3.1).
+uint32_t chunk_primitives(PrimitiveMode mode, const VertexRange& range) {
+    constexpr uint32_t kPiece = 4096, kFanPiece = 1024;
+    const uint32_t vertices = range.indices ? kIndexedVertices : kPiece;
     switch (mode) {
         case PrimitiveMode::kTriangles:
-            return kChunkVertices / 3;
+            return vertices / 3;
         case PrimitiveMode::kQuads:
-            return kChunkVertices / 4;
+            return vertices / 4;
         case PrimitiveMode::kLines:
+            return vertices / 2;
         case PrimitiveMode::kQuadStrip:
-            return kChunkVertices / 2 - 2;
-        default:
-            return kChunkVertices - 16;
+            return (vertices - 2) / 2;
+        case PrimitiveMode::kTriangleFan:
+        case PrimitiveMode::kPolygon:
+            return !range.indices && range.count > kPiece ? kFanPiece - 2 : vertices - 2;
+        case PrimitiveMode::kPoints:
+        case PrimitiveMode::kLineStrip:
+        case PrimitiveMode::kLineLoop:
+        case PrimitiveMode::kTriangleStrip:
+            break;
     }
+    return vertices - 2;
 }
 
 }  // namespace
 
 PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, ShadedVertices& pivot,
-                                       const DrawState& state, const VertexInput& input)
+                                       uint32_t& stipple_counter, const DrawState& state,
+                                       const VertexInput& input)
     : m_frame(frame),
       m_vertices(vertices),
+      m_pivot(pivot),
       m_state(state),
       m_input(input),
       m_geometry(geometry()),
-      m_setup(triangle_setup(state)),
-      m_clipper(state.vertex, vertices, column_count(state.vertex), state.raster.flat),
-      m_pivot(pivot) {
-    m_sink.frame = &frame;
-    m_sink.allocate = [](PrimitiveSink& sink, int plane_count) {
-        Arena& arena = static_cast<Sink&>(sink).frame->arena();
-        return new (arena.allocate(raster::Primitive::size_of(plane_count))) raster::Primitive;
-    };
-    m_sink.commit = [](PrimitiveSink& sink, raster::Primitive& primitive) {
-        static_cast<Sink&>(sink).frame->add(primitive);
-    };
+      m_filled(triangle_setup(state)),
+      m_setup(frame, vertices, state),
+      m_stages(m_setup, vertices, state, column_count(state.vertex), stipple_counter),
+      m_clipper(state.vertex, vertices, column_count(state.vertex), state.raster.flat) {
     vertices.reserve(column_count(state.vertex));
 }
 
 void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {
     const uint32_t primitives = primitive_count(mode, range.count);
-    const uint32_t step = chunk_primitives(mode);
+    const uint32_t step = chunk_primitives(mode, range);
     for (uint32_t first = 0; first < primitives; first += step) {
         // The frame may be drawn and begun again between chunks; what this draw needs is kept by each anew.
         if (m_frame.full()) m_frame.draw();
         m_frame.keep(m_state.fragment);
-        const uint32_t last = std::min(first + step, primitives);
-        if (range.indices == nullptr || !draw_index_range(mode, range, first, last))
-            draw_positions(mode, range, first, last);
+        const Piece piece{mode, range, first, std::min(first + step, primitives)};
+        if (range.indices == nullptr || !shade_index_range(piece)) shade_positions(piece);
+        m_next_slot = m_shaded;
+        const bool clipped = is_clipped();
+        m_filled.cull_unsnapped = clipped;
+        m_first_diagonal = range.in_order && !clipped && !m_state.raster.flat && !m_stages.takes_triangles();
+        assemble(piece);
+        m_setup.flush();
     }
 }
 
 // Shades each vertex of an indexed draw once, where the indices lie close enough together for that to be less
 // work.
-bool PrimitiveAssembler::draw_index_range(PrimitiveMode mode, const VertexRange& range, uint32_t first,
-                                          uint32_t last) {
-    const Positions at = positions_of(mode, first, last, range.count);
-    const auto [low, high] = std::minmax_element(range.indices + at.first, range.indices + at.end);
-    const uint32_t pivot = range.indices[0];
-    const uint32_t base = has_pivot(mode) ? std::min(*low, pivot) : *low;
-    const uint32_t top = has_pivot(mode) ? std::max(*high, pivot) : *high;
+bool PrimitiveAssembler::shade_index_range(const Piece& piece) {
+    const uint32_t* const indices = piece.range.indices;
+    const Positions at = positions_of(piece.mode, piece.first, piece.last, piece.range.count);
+    const auto [low, high] = std::minmax_element(indices + at.first, indices + at.end);
+    const uint32_t base = has_pivot(piece.mode) ? std::min(*low, indices[0]) : *low;
+    const uint32_t top = has_pivot(piece.mode) ? std::max(*high, indices[0]) : *high;
     const uint32_t span = top - base;  // one less than the vertices
-    if (span >= at.end - at.first || span >= kChunkVertices) return false;
-    m_geometry.shade_vertices(m_state.vertex, m_input, nullptr, base, static_cast<int>(span + 1), m_vertices);
+    if (span >= at.end - at.first || span >= kIndexedVertices) return false;
+    m_shaded = static_cast<int>(span + 1);
+    m_geometry.shade_vertices(m_state.vertex, m_input, nullptr, base, m_shaded, m_vertices);
     m_chunk = {};
-    m_chunk.indices = range.indices;
+    m_chunk.indices = indices;
     m_chunk.index_base = base;
-    m_shaded = m_next_slot = static_cast<int>(span + 1);
-    assemble(mode, range.count, first, last);
     return true;
 }
 
 // Shades the vertex at each position.
-void PrimitiveAssembler::draw_positions(PrimitiveMode mode, const VertexRange& range, uint32_t first,
-                                        uint32_t last) {
-    const Positions at = positions_of(mode, first, last, range.count);
+void PrimitiveAssembler::shade_positions(const Piece& piece) {
+    const VertexRange& range = piece.range;
+    const Positions at = positions_of(piece.mode, piece.first, piece.last, range.count);
     const uint32_t* const elements = range.indices ? range.indices + at.first : nullptr;
+    const int count = static_cast<int>(at.end - at.first);
     m_chunk = {};
     m_chunk.first_position = at.first;
-    m_shaded = static_cast<int>(at.end - at.first);
-    if (has_pivot(mode) && at.first > 0) {
-        // Sixteen slots at the end of the chunk, so that the vertex program can work on whole batches.
-        m_chunk.pivot_slot = (m_shaded + 15) & ~15;
-        m_pivot.reserve(column_count(m_state.vertex));
-        m_geometry.shade_vertices(m_state.vertex, m_input, range.indices, range.indices ? 0 : range.first, 1,
-                                  m_pivot);
-        m_shaded = m_chunk.pivot_slot + 1;
-    }
-    m_geometry.shade_vertices(m_state.vertex, m_input, elements, range.first + at.first,
-                              static_cast<int>(at.end - at.first), m_vertices);
-    if (m_chunk.pivot_slot >= 0) {
-        for (int column = 0; column < column_count(m_state.vertex); ++column)
-            m_vertices.column(column)[m_chunk.pivot_slot] = m_pivot.column(column)[0];
-    }
-    m_next_slot = m_shaded;
-    assemble(mode, range.count, first, last);
+    m_shaded = count;
+    m_geometry.shade_vertices(m_state.vertex, m_input, elements, range.first + at.first, count, m_vertices);
+    if (!has_pivot(piece.mode) || at.first == 0) return;
+    // Behind the last whole batch that the vertex program wrote.
+    m_chunk.pivot_slot = (count + 15) & ~15;
+    m_shaded = m_chunk.pivot_slot + 1;
+    m_pivot.reserve(column_count(m_state.vertex));
+    m_geometry.shade_vertices(m_state.vertex, m_input, range.indices, range.indices ? 0 : range.first, 1,
+                              m_pivot);
+    for (int column = 0; column < column_count(m_state.vertex); ++column)
+        m_vertices.column(column)[m_chunk.pivot_slot] = m_pivot.column(column)[0];
+    // Slots between are none of the chunk's vertices.
+    for (int slot = count; slot < m_chunk.pivot_slot; ++slot) m_vertices.integers(kOutcode)[slot] = 0;
+}
+
+// Whether any vertex of the chunk is outside a clipping plane.
+bool PrimitiveAssembler::is_clipped() const {
+    const int32_t* const outcodes = m_vertices.integers(kOutcode);
+    int32_t any = 0;
+    for (int slot = 0; slot < m_shaded; ++slot) any |= outcodes[slot];
+    return any != 0;
 }
 
 int PrimitiveAssembler::slot(uint32_t position) const {
@@ -195,8 +194,10 @@ int PrimitiveAssembler::slot(uint32_t position) const {
     return static_cast<int>(position - m_chunk.first_position);
 }
 
-void PrimitiveAssembler::assemble(PrimitiveMode mode, uint32_t count, uint32_t first, uint32_t last) {
-    switch (mode) {
+void PrimitiveAssembler::assemble(const Piece& piece) {
+    const auto [first, last] = std::pair(piece.first, piece.last);
+    const uint32_t count = piece.range.count;
+    switch (piece.mode) {
         case PrimitiveMode::kPoints:
             for (uint32_t i = first; i < last; ++i) point(slot(i));
             break;
@@ -205,84 +206,88 @@ void PrimitiveAssembler::assemble(PrimitiveMode mode, uint32_t count, uint32_t f
             break;
         case PrimitiveMode::kLineStrip:
         case PrimitiveMode::kLineLoop:
-            for (uint32_t i = first; i < last; ++i) line(slot(i), slot(i + 1 == count ? 0 : i + 1), i == 0);
+            for (uint32_t i = first; i < last; ++i)
+                line(slot(i), slot(i + 1 == count ? 0 : i + 1), i == 0 && !piece.range.continues);
             break;
         case PrimitiveMode::kTriangles:
-            for (uint32_t i = first; i < last; ++i) {
-                const int a = slot(3 * i), b = slot(3 * i + 1), c = slot(3 * i + 2);
-                triangle(a, b, c, edge_flag(a), edge_flag(b), edge_flag(c));
-            }
+            for (uint32_t i = first; i < last; ++i) triangle(slot(3 * i), slot(3 * i + 1), slot(3 * i + 2));
             break;
         case PrimitiveMode::kTriangleStrip:
             for (uint32_t i = first; i < last; ++i)
-                triangle(slot(i + (i & 1)), slot(i + 1 - (i & 1)), slot(i + 2), true, true, true);
+                triangle(slot(i + (i & 1)), slot(i + 1 - (i & 1)), slot(i + 2));
             break;
         case PrimitiveMode::kTriangleFan:
-            for (uint32_t i = first; i < last; ++i)
-                triangle(slot(0), slot(i + 1), slot(i + 2), true, true, true);
+            for (uint32_t i = first; i < last; ++i) triangle(slot(0), slot(i + 1), slot(i + 2));
             break;
         case PrimitiveMode::kQuads:
-            for (uint32_t i = first; i < last; ++i) {
-                const int v[4] = {slot(4 * i), slot(4 * i + 1), slot(4 * i + 2), slot(4 * i + 3)};
-                triangle(v[0], v[1], v[3], edge_flag(v[0]), false, edge_flag(v[3]));
-                triangle(v[1], v[2], v[3], edge_flag(v[1]), edge_flag(v[2]), false);
-            }
-            break;
         case PrimitiveMode::kQuadStrip:
-            for (uint32_t i = first; i < last; ++i) {
-                const int v[4] = {slot(2 * i + 2), slot(2 * i), slot(2 * i + 1), slot(2 * i + 3)};
-                triangle(v[0], v[1], v[3], true, false, true);
-                triangle(v[1], v[2], v[3], true, true, false);
-            }
+            assemble_quads(piece);
             break;
         case PrimitiveMode::kPolygon:
-            for (uint32_t i = first; i < last; ++i) {
-                const int a = slot(i + 1), b = slot(i + 2), c = slot(0);
-                triangle(a, b, c, edge_flag(a), i + 3 == count && edge_flag(b), i == 0 && edge_flag(c));
-            }
+            assemble_polygon(piece);
             break;
     }
-    flush_triangles();
+}
+
+void PrimitiveAssembler::assemble_quads(const Piece& piece) {
+    const bool strip = piece.mode == PrimitiveMode::kQuadStrip;
+    for (uint32_t i = piece.first; i < piece.last; ++i) {
+        const uint32_t at = strip ? 2 * i : 4 * i;
+        const int a = slot(strip ? at + 2 : at), b = slot(strip ? at : at + 1),
+                  c = slot(strip ? at + 1 : at + 2), d = slot(at + 3);
+        if (!strip && m_first_diagonal) {
+            triangle(a, b, c, Inside::kThird);
+            triangle(a, c, d, Inside::kNone, false);
+        } else {
+            triangle(a, b, d, Inside::kSecond);
+            triangle(b, c, d, Inside::kThird, false);
+        }
+    }
+}
+
+void PrimitiveAssembler::assemble_polygon(const Piece& piece) {
+    const VertexRange& range = piece.range;
+    for (uint32_t i = piece.first; i < piece.last; ++i) {
+        const int a = slot(i + 1), b = slot(i + 2), c = slot(0);
+        const bool first = i == 0 && !range.continues, last = i + 3 == range.count && !range.is_continued;
+        triangle_with_edges({a, b, c}, {edge_flag(a), last && edge_flag(b), first && edge_flag(c)}, first);
+    }
 }
 
 // Clipping is about to need slots: when the chunk's are used up, primitives that wait for theirs are set up
 // first.
-void PrimitiveAssembler::make_room(int slots) {
-    if (m_next_slot + slots <= ShadedVertices::kCapacity) return;
-    flush_triangles();
+void PrimitiveAssembler::make_room() {
+    if (m_next_slot + kMaxClipSlots <= ShadedVertices::kFirstStageSlot) return;
+    m_setup.flush();
     m_next_slot = m_shaded;
 }
 
-void PrimitiveAssembler::triangle(int a, int b, int c, bool ab, bool bc, bool ca) {
+void PrimitiveAssembler::point(int v) {
+    if (m_vertices.integers(kOutcode)[v] == 0) m_stages.point(v);
+}
+
+void PrimitiveAssembler::line(int a, int b, bool restarts) {
+    make_room();
+    if (m_clipper.clip_line(a, b, m_next_slot)) m_stages.line(a, b, restarts);
+}
+
+void PrimitiveAssembler::triangle_with_edges(const int (&v)[3], const bool (&edges)[3], bool starts_polygon) {
     const int32_t* const outcodes = m_vertices.integers(kOutcode);
-    if (outcodes[a] & outcodes[b] & outcodes[c]) return;
-    if ((outcodes[a] | outcodes[b] | outcodes[c]) == 0) {
-        emit_triangle(a, b, c, ab, bc, ca);
-        return;
-    }
-    make_room(kMaxClipSlots);
-    const ClippedPolygon polygon = m_clipper.clip({a, b, c}, {ab, bc, ca}, m_next_slot);
+    const int32_t a = outcodes[v[0]], b = outcodes[v[1]], c = outcodes[v[2]];
+    if ((a | b | c) == 0) return emit_triangle(v, edges, starts_polygon);
+    if (a & b & c) return;
+    make_room();
+    const ClippedPolygon polygon = m_clipper.clip(v, edges, m_next_slot);
     for (int i = 2; i < polygon.count; ++i) {
-        emit_triangle(polygon.vertices[i - 1], polygon.vertices[i], polygon.vertices[0], polygon.edges[i - 1],
-                      i + 1 == polygon.count && polygon.edges[i], i == 2 && polygon.edges[0]);
+        const bool last = i + 1 == polygon.count;
+        emit_triangle({polygon.vertices[i - 1], polygon.vertices[i], polygon.vertices[0]},
+                      {polygon.edges[i - 1], last && polygon.edges[i], i == 2 && polygon.edges[0]}, i == 2);
     }
 }
 
-void PrimitiveAssembler::emit_triangle(int a, int b, int c, bool ab, bool bc, bool ca) {
-    if (m_state.raster.fill[0] != FillMode::kFill || m_state.raster.fill[1] != FillMode::kFill) {
-        unfilled_triangle({a, b, c}, {ab, bc, ca});
-        return;
-    }
-    const int i = m_batch.count++;
-    m_batch.v0[i] = a, m_batch.v1[i] = b, m_batch.v2[i] = c;
-    if (m_batch.count == 16) flush_triangles();
-}
-
-void PrimitiveAssembler::flush_triangles() {
-    if (m_batch.count == 0) return;
-    for (int i = m_batch.count; i < 16; ++i) m_batch.v0[i] = m_batch.v1[i] = m_batch.v2[i] = m_batch.v0[0];
-    m_geometry.setup_triangles(m_setup, m_vertices, m_batch, m_sink);
-    m_batch.count = 0;
+void PrimitiveAssembler::emit_triangle(const int (&v)[3], const bool (&edges)[3], bool starts_polygon) {
+    if (m_stages.takes_triangles()) return m_stages.triangle(v, edges, starts_polygon);
+    m_setup.triangle(m_filled, v[0], v[1], v[2]);
 }
 
 }  // namespace terrazzo::pipeline

@@ -93,8 +93,9 @@ ClippedPolygon Clipper::clip(const int (&triangle)[3], const bool (&edges)[3], i
                 kept.vertices[kept.count] =
                     from_current ? interpolate(current_distance / denominator, current, previous, slot)
                                  : interpolate(-previous_distance / denominator, previous, current, slot);
-                // Leaving, the next edge runs along the plane and is none of the outline.
-                kept.edges[kept.count++] = leaving ? false : edge;
+                // Leaving, the next edge runs along the plane; only a user's plane makes it part of the
+                // outline.
+                kept.edges[kept.count++] = leaving ? plane >= 6 : edge;
             }
             previous = current;
             previous_distance = current_distance;

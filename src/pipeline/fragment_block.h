@@ -10,7 +10,9 @@
 namespace terrazzo::pipeline {
 
 struct FragmentBlock {
-    raster::FragmentState state;  // `textures` and `polygon_stipple` point into this block
+    // What the fragments of filled polygons go through, and those of lines and points, which no polygon
+    // stipple touches. `textures` and `polygon_stipple` point into this block.
+    raster::FragmentState fill, line, point;
     std::vector<raster::TextureStage> stages;
     std::vector<uint32_t> polygon_stipple;
     std::vector<std::shared_ptr<const void>> images;
@@ -19,7 +21,8 @@ struct FragmentBlock {
     FragmentBlock(const FragmentBlock&) = delete;
     FragmentBlock& operator=(const FragmentBlock&) = delete;
 
-    // Ties the pointers and chooses the kernel; called once when everything is filled in.
+    // Makes the others from `fill`, ties the pointers and chooses the kernels; called once when everything is
+    // filled in.
     void complete();
 };
 

@@ -16,6 +16,7 @@ struct TriangleSetup {
     const raster::FragmentState* state = nullptr;
     int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // scissor and target, in raster rows; x1 and y1 exclusive
     bool cull_front = false, cull_back = false;
+    bool cull_unsnapped = false;      // faces also by the window positions before snapping
     bool front_is_clockwise = false;  // in GL's upward y
     bool row0_is_top = true;
     bool flat = false;

@@ -12,7 +12,7 @@ void Renderer::set_target(std::shared_ptr<raster::Target> target) {
 void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
                     const VertexRange& range) {
     if (m_frame.target() == nullptr) return;
-    PrimitiveAssembler(m_frame, m_vertices, m_pivot, state, input).draw(mode, range);
+    PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
 }
 
 void Renderer::clear(const raster::BinClear& clear) {

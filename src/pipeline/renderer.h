@@ -29,7 +29,8 @@ struct RasterState {
     FillMode fill[2] = {FillMode::kFill, FillMode::kFill};  // front, back
     bool offset_fill = false, offset_line = false, offset_point = false;
     float offset_factor = 0;
-    float offset_units = 0;  // in depth: already times the smallest step of the format
+    float offset_units = 0;  // in depth: already times twice the smallest step of the format
+    bool polygon_stipple = false;
     float line_width = 1;
     bool line_smooth = false;
     bool line_stipple = false;
@@ -51,6 +52,12 @@ struct VertexRange {
     uint32_t first = 0;
     uint32_t count = 0;
     const uint32_t* indices = nullptr;  // null: first, first + 1, ...
+    // The vertices come as they were given, not through indices or a display list: the reference then cuts
+    // quads along their other diagonal where it can (doc/reference.md §3.1).
+    bool in_order = false;
+    // A strip, loop or polygon that was cut: it began in the draw before, or does not end with this one.
+    bool continues = false;
+    bool is_continued = false;
 };
 
 class Renderer {
@@ -73,6 +80,7 @@ class Renderer {
     Frame m_frame;
     ShadedVertices m_vertices;
     ShadedVertices m_pivot;
+    uint32_t m_stipple_counter = 0;
 };
 
 }  // namespace terrazzo::pipeline

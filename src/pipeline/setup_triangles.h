@@ -16,17 +16,6 @@ using namespace pipeline;
 using raster::Edge;
 using raster::Primitive;
 
-// E(x, y) of the directed edge from a to b, inside where positive, the fill rule included.
-TERRAZZO_INLINE Edge make_edge(int32_t ax, int32_t ay, int32_t bx, int32_t by, bool row0_is_top) {
-    const int32_t dcdx = ay - by, dcdy = ax - bx;
-    int64_t c = int64_t{dcdx} * ax - int64_t{dcdy} * ay;
-    // Pixels exactly on a left edge, or on the edge that is lower in GL's orientation, belong to the
-    // triangle.
-    if (dcdx < 0 || (dcdx == 0 && (row0_is_top ? dcdy < 0 : dcdy > 0))) ++c;
-    // E > 0 becomes E - 1 >= 0; then pixel steps, which are multiples of 256, let the low bits go.
-    return {(c - 1) >> 8, -dcdx, dcdy};
-}
-
 // The values of one column at the three vertices.
 struct Corners {
     F32x16 v0, v1, v2;
@@ -64,21 +53,13 @@ TERRAZZO_INLINE void store_constant_plane(F32x16 value, int plane, PlaneArrays& 
     store(F32x16(0.0f), out.values[2][plane]);
 }
 
-// Whether a varying is one of the colours, which flat shading and two-sided lighting treat apart.
-TERRAZZO_INLINE bool is_color(const raster::Varyings& v, int varying) {
-    const auto within = [&](int first, int count) {
-        return first >= 0 && varying >= first && varying < first + count;
-    };
-    return within(v.color, 4) || within(v.secondary, 3);
-}
-
 inline void store_varyings(const TriangleSetup& setup, const ShadedVertices& vertices,
                            const CornerIndices& index, const Corners& oow, const PlaneBasis& basis,
                            Mask16 back_facing, PlaneArrays& planes) {
     const raster::Varyings& v = setup.state->varyings;
     const bool perspective = setup.state->key.perspective;
     for (int i = 0; i < v.count; ++i) {
-        const bool color = is_color(v, i);
+        const bool color = v.is_color(i);
         Corners a = corners(vertices.column(kFirstVarying + i), index);
         if (color && setup.two_sided) {
             const Corners b = corners(vertices.column(kFirstVarying + v.count + i), index);
@@ -125,12 +106,27 @@ TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTr
     for (int e = 0; e < 3; ++e) {
         const int next = e == 2 ? 0 : e + 1;
         primitive->edges[e] =
-            make_edge(t.x[e][lane], t.y[e][lane], t.x[next][lane], t.y[next][lane], setup.row0_is_top);
+            Edge::between(t.x[e][lane], t.y[e][lane], t.x[next][lane], t.y[next][lane], setup.row0_is_top);
     }
     float* out = primitive->planes();
     for (int part = 0; part < 3; ++part)
         for (int plane = 0; plane < plane_count; ++plane) *out++ = planes.values[part][plane][lane];
     sink.commit(sink, *primitive);
+}
+
+// The triangles that are culled for their facing before snapping, where a sliver may face the other way;
+// those of no area are back sides. Chunks with a clipped vertex undergo this in the reference
+// (doc/reference.md §3.2).
+inline uint32_t culled_unsnapped(const TriangleSetup& setup, const ShadedVertices& vertices,
+                                 const CornerIndices& index) {
+    const Corners x = corners(vertices.column(kWindowX), index),
+                  y = corners(vertices.column(kWindowY), index);
+    const F32x16 determinant = (x.v0 - x.v2) * (y.v1 - y.v2) - (y.v0 - y.v2) * (x.v1 - x.v2);
+    const F32x16 zero(0.0f);
+    const uint32_t counter_clockwise = bits_of(setup.row0_is_top ? determinant < zero : determinant > zero);
+    const uint32_t back =
+        (setup.front_is_clockwise ? counter_clockwise : ~counter_clockwise) | bits_of(determinant == zero);
+    return (setup.cull_front ? ~back : 0) | (setup.cull_back ? back : 0);
 }
 
 inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& vertices,
@@ -151,6 +147,8 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
     uint32_t alive = bits_of(positive | negative) & ((1u << batch.count) - 1);
     if (setup.cull_front) alive &= bits_of(back);
     if (setup.cull_back) alive &= ~bits_of(back);
+    if (setup.cull_unsnapped && (setup.cull_front || setup.cull_back))
+        alive &= ~culled_unsnapped(setup, vertices, index);
     if (alive == 0) return;
 
     // From here on every triangle is positive: a negative one has its first two vertices exchanged.

@@ -40,8 +40,12 @@ enum Outcode : uint32_t {
 
 class ShadedVertices {
   public:
-    // 12288 indices of one chunk of triangles at most, and room for what clipping makes.
-    static constexpr int kCapacity = 12288 + 1024;
+    // The vertices of a chunk and its pivot, then what clipping makes, then what the stages behind it make.
+    // The sum is no multiple of 1024: columns whole pages apart would share their cache sets.
+    static constexpr int kChunkSlots = 12288 + 16;
+    static constexpr int kFirstStageSlot = kChunkSlots + 896;
+    static constexpr int kCapacity = kFirstStageSlot + 128;
+    static constexpr int kMaxColumns = 64;
 
     // Makes room for `columns` columns; throws std::bad_alloc.
     void reserve(int columns);

@@ -21,6 +21,17 @@ struct Edge {
     int64_t c;
     int32_t step_x;  // E(x + 1, y) - E(x, y)
     int32_t step_y;
+
+    // From corner a to corner b of a positive outline, in 8-bit sub-pixels.
+    [[gnu::always_inline]] static Edge between(int32_t ax, int32_t ay, int32_t bx, int32_t by,
+                                               bool row0_is_top) {
+        const int32_t dcdx = ay - by, dcdy = ax - bx;
+        int64_t c = int64_t{dcdx} * ax - int64_t{dcdy} * ay;
+        // Pixels exactly on a left edge, or on the edge that is lower in GL's orientation, are inside.
+        if (dcdx < 0 || (dcdx == 0 && (row0_is_top ? dcdy < 0 : dcdy > 0))) ++c;
+        // E > 0 becomes E - 1 >= 0; then pixel steps, which are multiples of 256, let the low bits go.
+        return {(c - 1) >> 8, -dcdx, dcdy};
+    }
 };
 
 struct Primitive {

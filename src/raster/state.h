@@ -162,6 +162,12 @@ struct Varyings {
     uint8_t count = 0;                               // planes in all, without z and 1/w
 
     constexpr Varyings() { texture.fill(-1); }
+
+    // Whether a varying is part of a colour, which flat shading and two-sided lighting treat apart.
+    [[gnu::always_inline]] constexpr bool is_color(int varying) const {
+        return (color >= 0 && varying >= color && varying < color + 4) ||
+               (secondary >= 0 && varying >= secondary && varying < secondary + 3);
+    }
 };
 
 // z, 1/w, and all varyings there can be.

@@ -1,0 +1,61 @@
+// Set-up, the last stage before the bins: points, lines and triangles by vertex slot become primitives of a
+// frame.
+//
+// Points and lines are set up at once, triangles sixteen at a time; all reach the frame in the order of the
+// calls, the triangles by the next flush().
+#pragma once
+
+#include "pipeline/frame.h"
+#include "pipeline/geometry_table.h"
+#include "pipeline/renderer.h"
+
+namespace terrazzo::pipeline {
+
+// How the filled polygons of a draw are set up.
+TriangleSetup triangle_setup(const DrawState& state);
+
+class PrimitiveSetup {
+  public:
+    PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, const DrawState& state);
+    PrimitiveSetup(const PrimitiveSetup&) = delete;
+    PrimitiveSetup& operator=(const PrimitiveSetup&) = delete;
+
+    // The rules and the vertices must stay as they are until the next flush().
+    void triangle(const TriangleSetup& rules, int a, int b, int c) {
+        if (m_rules != &rules) flush();
+        m_rules = &rules;
+        const int i = m_batch.count++;
+        m_batch.v0[i] = a, m_batch.v1[i] = b, m_batch.v2[i] = c;
+        if (m_batch.count == kBatchTriangles) flush();
+    }
+    void flush();
+
+    // A square of pixels round the vertex (point.cpp).
+    void point(int v);
+    // A parallelogram along the major axis (line.cpp).
+    void line(int a, int b);
+
+    static constexpr int kBatchTriangles = 16;
+
+  private:
+    struct Sink : PrimitiveSink {
+        Frame* frame;
+    };
+    // A rectangle of pixels, x1 and y1 exclusive.
+    struct Box {
+        int32_t x0, y0, x1, y1;
+    };
+
+    // Null where nothing of the box lies within the scissor.
+    raster::Primitive* new_primitive(const raster::FragmentState& state, const Box& box, int edge_count);
+
+    Frame& m_frame;
+    const ShadedVertices& m_vertices;
+    const DrawState& m_state;
+    const GeometryTable& m_geometry;
+    Sink m_sink;
+    const TriangleSetup* m_rules = nullptr;
+    TriangleBatch m_batch;
+};
+
+}  // namespace terrazzo::pipeline

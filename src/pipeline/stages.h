@@ -1,0 +1,71 @@
+// What may happen to a primitive between clipping and set-up: polygons drawn as lines or points (GL 1.5
+// §3.5.4), line stipple (§3.4.2), smooth points and lines (§3.3.2, §3.4.3). Primitives come and go by vertex
+// slot, in GL's order.
+//
+// The reference does all of it in a chain of stages of its own, with arithmetic of its own: polygons that
+// pass it are faced by their unsnapped positions, and carry their offset and their side's colours in the
+// vertices. So does this.
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/primitive_setup.h"
+#include "pipeline/shaded_vertices.h"
+
+namespace terrazzo::pipeline {
+
+class PrimitiveStages {
+  public:
+    // `stipple_counter` counts the pixels of a stippled strip and outlives the draw that is cut in two.
+    PrimitiveStages(PrimitiveSetup& setup, ShadedVertices& vertices, const DrawState& state, int columns,
+                    uint32_t& stipple_counter);
+
+    // Whether filled polygons of this draw have to pass as well.
+    bool takes_triangles() const { return m_takes_triangles; }
+
+    void point(int v);
+    // `restarts`: the stipple pattern begins anew with this line.
+    void line(int a, int b, bool restarts);
+    // edges[i] says whether the edge from vertex i to the next is part of the polygon's outline; `restarts`:
+    // it is the polygon's first triangle.
+    void triangle(const int (&v)[3], const bool (&edges)[3], bool restarts);
+
+  private:
+    // Vertices that stages make live in slots of their own, in turn: triangles that wait for set-up hold on
+    // to theirs.
+    static constexpr int kCopySlots = 3 * (PrimitiveSetup::kBatchTriangles + 1);
+    static constexpr int kFirstCopy = ShadedVertices::kFirstStageSlot;
+    static constexpr int kFirstSegment = kFirstCopy + kCopySlots;
+    static_assert(kFirstSegment + 2 <= ShadedVertices::kCapacity);
+
+    int copy_vertex(int from, int to);
+
+    // unfilled.cpp
+    struct Facing {
+        float determinant;
+        bool back;
+    };
+    Facing facing(const int (&v)[3]) const;
+    void copy_triangle(const int (&v)[3], int (&copies)[3]);
+    void take_back_colors(const int (&v)[3]);
+    void flatten_colors(const int (&v)[3]);
+    void offset_depth(const int (&v)[3], float determinant, bool enabled);
+
+    // line_stipple.cpp
+    void stippled_line(int a, int b);
+    void segment(int a, int b, float t0, float t1);
+    void solid_line(int a, int b) { m_setup.line(a, b); }
+
+    PrimitiveSetup& m_setup;
+    ShadedVertices& m_vertices;
+    const DrawState& m_state;
+    const int m_columns;
+    uint32_t& m_stipple_counter;
+    const bool m_two_sided;
+    const bool m_offsets;
+    bool m_takes_triangles;
+    TriangleSetup m_filled;  // rules of filled polygons whose facing and offset are done with
+    int m_next_copy = 0;
+};
+
+}  // namespace terrazzo::pipeline
