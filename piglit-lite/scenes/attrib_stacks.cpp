@@ -341,7 +341,7 @@ SCENE(state_errors, "commands refused by the specification: which error, and the
     gl.Fogi(GL_FOG_MODE, GL_LINES), expect("fog mode of LINES");
     gl.Frustum(-1, 1, -1, 1, 0, 5), expect("Frustum with near 0");
     gl.Ortho(1, 1, 0, 1, 0, 1), expect("Ortho of no width");
-    gl.Begin(GL_POLYGON + 1), expect("Begin of an unknown mode");
+    gl.Begin(0x99), expect("Begin of an unknown mode");
     gl.End(), expect("End without Begin");
     gl.EndList(), expect("EndList without NewList");
     gl.NewList(0, GL_COMPILE), expect("NewList 0");
