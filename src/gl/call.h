@@ -1,12 +1,14 @@
 // The frame of every generated thunk: nothing thrown by a command reaches the caller.
 //
-// Lack of memory becomes GL_OUT_OF_MEMORY (GL 1.5 §2.5); commands give the strong guarantee themselves.
-// The functions standing in for a command that must not run now share one template per signature.
+// All that is thrown is lack of memory: std::bad_alloc, and what the standard library throws where a
+// container or a lock cannot be had. It becomes GL_OUT_OF_MEMORY (GL 1.5 §2.5); commands give the strong
+// guarantee themselves. The functions standing in for a command that must not run now share one template per
+// signature.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
-#include <new>
+#include <exception>
 
 #include "gl/context.h"
 #include "gl/current.h"
@@ -22,7 +24,7 @@ template <typename Body>
 auto guarded(Context& ctx, Body body) noexcept -> decltype(body()) {
     try {
         return body();
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
         record_error(ctx, GL_OUT_OF_MEMORY, "not enough memory");
     }
     return decltype(body())();

@@ -4,7 +4,7 @@
 #include <GL/gl.h>
 
 #include <cstring>
-#include <new>
+#include <exception>
 #include <type_traits>
 
 #include "gl/context.h"
@@ -23,7 +23,7 @@ void record(Context& ctx, Append append) noexcept {
     try {
         ctx.lists.vertices.finish(*ctx.lists.compiling);
         append(*ctx.lists.compiling);
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
         list_out_of_memory(ctx);
     }
 }

@@ -303,7 +303,7 @@ void collect(Context& ctx, Collect collect_one) noexcept {
     if (ctx.lists.out_of_memory) return;
     try {
         collect_one(ctx.lists.vertices, *ctx.lists.compiling);
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
         list_out_of_memory(ctx);
     }
 }

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <new>
+#include <exception>
 #include <utility>
 
 #include "frontends/osmesa/attributes.h"
@@ -65,7 +65,7 @@ OSMesaContext OSMesaCreateContextAttribs(const int* attributes, OSMesaContext sh
     context->gl = gl::create_context(parsed->config, share_list ? share_list->gl.get() : nullptr);
     context->format = parsed->format;
     return context.release();
-} catch (const std::bad_alloc&) {
+} catch (const std::exception&) {
     return nullptr;
 }
 
@@ -113,7 +113,7 @@ GLboolean OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type, GL
     context->height = height;
     osmesa::set_current(context);
     return GL_TRUE;
-} catch (const std::bad_alloc&) {
+} catch (const std::exception&) {
     return refuse("not enough memory");
 }
 
@@ -181,7 +181,7 @@ GLboolean OSMesaGetDepthBuffer(OSMesaContext context, GLint* width, GLint* heigh
     *bytes_per_value = context->gl->config.depth_bits == 16 ? 2 : 4;
     *buffer = context->depth.data();
     return GL_TRUE;
-} catch (const std::bad_alloc&) {
+} catch (const std::exception&) {
     return GL_FALSE;
 }
 
