@@ -15,29 +15,14 @@ namespace {
 // cache before they are drawn: 300 000 vertices with colour and normal took 28 ns each in batches of 49152,
 // 14 ns in these.
 constexpr std::uint32_t kLongBatch = 4096;
-// So long a batch is drawn in the middle of a run: of separate primitives, and of connected ones, where it
-// costs more.
-constexpr std::uint32_t kLongestBatch = 6144;
+// So long a run is drawn before it ends: of separate primitives, in whole pieces of 4096 as the reference
+// draws them (doc/reference.md §3.1), and of connected ones, where it costs more.
+constexpr std::uint32_t kLongestRun = 8192;
 constexpr std::uint32_t kLongestConnectedBatch = 49152;
 // Above this, a constant attribute that changes outside Begin and End starts a new batch instead of a stream.
 constexpr std::uint32_t kWorthKeeping = 256;
 
-void set_layout(VertexBatch& batch) {
-    batch.next = batch.data.data() + static_cast<std::size_t>(batch.count) * batch.stride;
-    batch.end = batch.data.data() + batch.data.size();
-}
-
-void clear_batch(VertexBatch& batch) {
-    batch.count = 0;
-    batch.stride = 4;
-    batch.mask = 0;
-    batch.stream_count = 0;
-    batch.w_is_one = true;
-    batch.runs.clear();
-    set_layout(batch);
-}
-
-// Whether runs of this mode may be joined: their primitives share no vertices.
+// Vertices of one primitive in modes whose primitives share none, so that runs of them may be joined; else 0.
 std::uint32_t vertices_of_independent(GLenum mode) {
     switch (mode) {
         case GL_POINTS:
@@ -52,17 +37,47 @@ std::uint32_t vertices_of_independent(GLenum mode) {
     return 0;
 }
 
+// The run that one of `mode` beginning at vertex `first` becomes part of; null when it stands alone.
+PrimitiveRun* run_to_join(VertexBatch& batch, GLenum mode, std::uint32_t first) {
+    const std::uint32_t vertices = vertices_of_independent(mode);
+    if (vertices == 0 || batch.runs.empty()) return nullptr;
+    PrimitiveRun& last = batch.runs.back();
+    const bool joins = last.mode == mode && last.first + last.count == first && last.count % vertices == 0;
+    return joins ? &last : nullptr;
+}
+
 void add_run(VertexBatch& batch, GLenum mode, std::uint32_t first, std::uint32_t count) {
     if (count == 0) return;
-    const std::uint32_t vertices = vertices_of_independent(mode);
-    if (vertices != 0 && !batch.runs.empty()) {
-        PrimitiveRun& last = batch.runs.back();
-        if (last.mode == mode && last.first + last.count == first && last.count % vertices == 0) {
-            last.count += count;
-            return;
-        }
+    if (PrimitiveRun* last = run_to_join(batch, mode, first)) {
+        last->count += count;
+    } else {
+        batch.runs.push_back({mode, first, count});
     }
-    batch.runs.push_back({mode, first, count});
+}
+
+// How many vertices the batch may hold until the open run is broken.
+std::uint32_t longest_batch(VertexState& vertex) {
+    if (!vertex.open || vertices_of_independent(vertex.mode) == 0) return kLongestConnectedBatch;
+    const PrimitiveRun* joined = run_to_join(vertex.batch, vertex.mode, vertex.open_first);
+    return (joined ? joined->first : vertex.open_first) + kLongestRun;
+}
+
+void set_layout(VertexState& vertex) {
+    VertexBatch& batch = vertex.batch;
+    const std::size_t room = std::min<std::size_t>(batch.data.size() / batch.stride, longest_batch(vertex));
+    batch.next = batch.data.data() + static_cast<std::size_t>(batch.count) * batch.stride;
+    batch.end = batch.data.data() + room * batch.stride;
+}
+
+void clear_batch(VertexState& vertex) {
+    VertexBatch& batch = vertex.batch;
+    batch.count = 0;
+    batch.stride = 4;
+    batch.mask = 0;
+    batch.stream_count = 0;
+    batch.w_is_one = true;
+    batch.runs.clear();
+    set_layout(vertex);
 }
 
 void draw_runs(Context& ctx) {
@@ -125,28 +140,26 @@ void break_open_run(Context& ctx) {
     std::copy(kept.begin(), kept.end(), batch.data.begin());
     batch.count = static_cast<std::uint32_t>(kept.size() / batch.stride);
     vertex.open_first = 0;
-    set_layout(batch);
+    set_layout(vertex);
 }
 
 }  // namespace
 
 void flush_vertices(Context& ctx) {
-    VertexBatch& batch = ctx.vertex.batch;
-    if (batch.count == 0 || ctx.vertex.open) return;
+    if (ctx.vertex.batch.count == 0 || ctx.vertex.open) return;
     struct Cleanup {
-        VertexBatch& batch;
-        ~Cleanup() { clear_batch(batch); }
-    } const cleanup{batch};
+        VertexState& vertex;
+        ~Cleanup() { clear_batch(vertex); }
+    } const cleanup{ctx.vertex};
     draw_runs(ctx);
 }
 
 void grow_batch(Context& ctx) {
     VertexBatch& batch = ctx.vertex.batch;
-    const bool separate = vertices_of_independent(ctx.vertex.mode) != 0;
-    if (batch.count >= (separate ? kLongestBatch : kLongestConnectedBatch)) break_open_run(ctx);
+    if (batch.count >= longest_batch(ctx.vertex)) break_open_run(ctx);
     if (batch.end - batch.next >= static_cast<std::ptrdiff_t>(batch.stride)) return;
     batch.data.resize(std::max<std::size_t>(batch.data.size() * 2, 4096));
-    set_layout(batch);
+    set_layout(ctx.vertex);
 }
 
 void stream_attribute(Context& ctx, int attribute) {
@@ -165,7 +178,7 @@ void stream_attribute(Context& ctx, int attribute) {
     batch.stride = stride;
     batch.streams[batch.stream_count++] = static_cast<std::uint8_t>(attribute);
     batch.mask |= pipeline::bit(attribute);
-    set_layout(batch);
+    set_layout(ctx.vertex);
 }
 
 void set_attribute_slowly(Context& ctx, int attribute, GLfloat x, GLfloat y, GLfloat z, GLfloat w) noexcept {
@@ -188,6 +201,7 @@ void begin(Context& ctx, GLenum mode) {
     ctx.vertex.open_first = ctx.vertex.batch.count;
     ctx.vertex.open = true;
     ctx.vertex.loop_start.clear();
+    set_layout(ctx.vertex);
     set_inside_begin_end(ctx, true);
 }
 
@@ -195,8 +209,12 @@ void end(Context& ctx) {
     VertexState& vertex = ctx.vertex;
     set_inside_begin_end(ctx, false);
     if (!vertex.loop_start.empty()) {
-        // A stream may have been added since the loop was broken: its value there is the last one's.
-        vertex.loop_start.resize(vertex.batch.stride);
+        // Streams that were added since the loop was broken begin with the value that all vertices before
+        // had.
+        const auto known = static_cast<std::ptrdiff_t>(vertex.loop_start.size());
+        const auto first_vertex = vertex.batch.data.begin();
+        vertex.loop_start.insert(vertex.loop_start.end(), first_vertex + known,
+                                 first_vertex + vertex.batch.stride);
         if (vertex.batch.end - vertex.batch.next < static_cast<std::ptrdiff_t>(vertex.batch.stride))
             grow_batch(ctx);
         std::copy(vertex.loop_start.begin(), vertex.loop_start.end(), vertex.batch.next);
