@@ -373,7 +373,8 @@ SCENE(state_errors, "commands refused by the specification: which error, and the
     gl.ReadPixels(0, 0, 1, 1, GL_LINES, GL_UNSIGNED_BYTE, nullptr), expect("ReadPixels of LINES");
     gl.Hint(GL_FOG_HINT, GL_FOG), expect("hint FOG");
     gl.PopMatrix(), expect("PopMatrix of one");
-    gl.ClipPlane(GL_LIGHT0, nullptr), expect("ClipPlane of LIGHT0");
+    const GLdouble equation[] = {1, 0, 0, 0};
+    gl.ClipPlane(GL_LIGHT0, equation), expect("ClipPlane of LIGHT0");
     gl.DrawBuffer(GL_BACK), expect("DrawBuffer BACK");
     gl.ReadBuffer(GL_AUX0), expect("ReadBuffer AUX0");
     gl.Begin(GL_TRIANGLES);

@@ -69,14 +69,14 @@ SCENE(read_wide_integers, "INT and UNSIGNED_INT read-back, whose low bits come f
         std::vector<GLuint> words(23 * 5 * 4, 77);
         gl.ReadPixels(60, 60, 23, 5, format, GL_UNSIGNED_INT, words.data());
         // A float carries 24 bits: the low 8 bits of the word are rounding. Mesa rounds a full component up
-        // to 2^32, which wraps to 0; half the tolerance is added so that both full values land on the same
-        // side.
+        // to 2^32 (2^31 when signed), which wraps; half the tolerance is added so that both full values land
+        // on the same side.
         for (std::size_t i = 0; i < words.size(); i += 7)
             notes.value("unsigned " + std::to_string(i), words[i] + 256U, 512);
         std::vector<GLint> ints(23 * 5 * 4, 77);
         gl.ReadPixels(60, 60, 23, 5, format, GL_INT, ints.data());
         for (std::size_t i = 0; i < ints.size(); i += 7)
-            notes.value("int " + std::to_string(i), ints[i], 512);
+            notes.value("int " + std::to_string(i), static_cast<GLuint>(ints[i]) + 256U, 512);
     }
 }
 

@@ -38,12 +38,12 @@ void begin(const Gl& gl) {
 
 }  // namespace
 
-SCENE(env_modes_opaque, "REPLACE, MODULATE, DECAL, BLEND and ADD over six base formats, colours alone") {
+SCENE(env_modes_opaque, "REPLACE, MODULATE and BLEND over six base formats, colours alone") {
     begin(gl);
     // DECAL is defined for RGB and RGBA only; other formats' results are undefined, so they are left out of
     // it.
-    const GLint modes[] = {GL_REPLACE, GL_MODULATE, GL_BLEND, GL_ADD};
-    for (int i = 0; i < 4; ++i) environment_row(gl, modes[i], static_cast<float>(i) * 64 + 2, 60);
+    const GLint modes[] = {GL_REPLACE, GL_MODULATE, GL_BLEND};
+    for (int i = 0; i < 3; ++i) environment_row(gl, modes[i], static_cast<float>(i) * 85 + 2, 80);
 }
 
 SCENE(env_modes_blended, "the same with the resulting alpha blended over stripes") {
@@ -53,8 +53,8 @@ SCENE(env_modes_blended, "the same with the resulting alpha blended over stripes
     gl.Enable(GL_TEXTURE_2D);
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    const GLint modes[] = {GL_REPLACE, GL_MODULATE, GL_BLEND, GL_ADD};
-    for (int i = 0; i < 4; ++i) environment_row(gl, modes[i], static_cast<float>(i) * 64 + 2, 60);
+    const GLint modes[] = {GL_REPLACE, GL_MODULATE, GL_BLEND};
+    for (int i = 0; i < 3; ++i) environment_row(gl, modes[i], static_cast<float>(i) * 85 + 2, 80);
 }
 
 SCENE(env_decal, "DECAL with RGB and RGBA textures, over colours and blended") {
