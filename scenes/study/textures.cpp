@@ -62,13 +62,19 @@ Image make_tiles(int size, int tiles, std::uint32_t seed) {
     constexpr Colour kJoint{70, 66, 62};
     constexpr Colour kGlazes[] = {{196, 178, 150}, {150, 92, 70}, {92, 112, 128}, {212, 206, 192}};
     const int edge = size / tiles;
-    return fill(size, [=](int x, int y) {
+    // All tiles share one grain: noise at every texel of the largest texture would take longer than a first
+    // frame.
+    std::vector<int> grains(static_cast<std::size_t>(edge) * edge);
+    for (int y = 0; y < edge; ++y)
+        for (int x = 0; x < edge; ++x) grains[static_cast<std::size_t>(y) * edge + x] = grain(x, y, 4, seed);
+    return fill(size, [&, edge, seed](int x, int y) {
         const int column = x / edge, row = y / edge;
         const bool joint = x % edge < edge / 24 + 1 || y % edge < edge / 24 + 1;
         const std::uint32_t dice =
             hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed);
         const Colour glaze = kGlazes[((column + row) & 1) + 2 * static_cast<int>(dice >> 31)];
-        return scaled(joint ? kJoint : glaze, grain(x, y, 4, seed), 256);
+        return scaled(joint ? kJoint : glaze, grains[static_cast<std::size_t>(y % edge) * edge + x % edge],
+                      256);
     });
 }
 

@@ -355,6 +355,16 @@ bool is_plain_bilinear(const raster::FragmentState& state, const std::vector<ras
            (stage.base_format == raster::BaseFormat::kRgb || stage.base_format == raster::BaseFormat::kRgba);
 }
 
+// Whether modulation leaves the texel as it is, and nothing follows it but the store.
+bool shows_texel(const raster::FragmentState& state) {
+    const raster::FragmentKey& key = state.key;
+    const auto is_one = [](float c) { return c == 1; };
+    return !key.interpolated_color && std::all_of(state.constant_color, state.constant_color + 4, is_one) &&
+           key.color_format == raster::ColorFormat::kRgba8 && key.color_mask == 0xf &&
+           key.blend == raster::BlendKind::kNone && !key.logic_op && !key.separate_specular &&
+           key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways;
+}
+
 void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     pipeline::DrawState& draw = ctx.drawing.state;
     auto block = std::make_shared<pipeline::FragmentBlock>();
@@ -394,10 +404,10 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
             if (make_texture_coordinates(ctx, u, input, coordinates)) projective |= 1u << u;
         }
     }
-    key.texture = block->stages.empty() ? raster::TextureKind::kNone
-                  : is_plain_bilinear(state, block->stages, projective)
-                      ? raster::TextureKind::kModulateBilinearRgba8
-                      : raster::TextureKind::kGeneral;
+    key.texture = block->stages.empty()                                  ? raster::TextureKind::kNone
+                  : !is_plain_bilinear(state, block->stages, projective) ? raster::TextureKind::kGeneral
+                  : shows_texel(state)                                   ? raster::TextureKind::kBilinearRgba8
+                                       : raster::TextureKind::kModulateBilinearRgba8;
     state.varyings = lay_out_varyings(key, used, projective);
     block->complete();
     draw.vertex.varyings = state.varyings;

@@ -46,6 +46,8 @@ constexpr Specialised kSpecialised[] = {
     specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone)>(),
     specialise<hot_key(true, Compare::kLess, true, false, TextureKind::kNone)>(),
+    specialise<hot_key(true, Compare::kLess, true, false, TextureKind::kBilinearRgba8)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, false, TextureKind::kBilinearRgba8)>(),
     specialise<hot_key(true, Compare::kLess, true, false, kBilinear)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, false, kBilinear)>(),
     specialise<hot_key(true, Compare::kLess, true, true, kBilinear)>(),

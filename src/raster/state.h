@@ -115,6 +115,7 @@ enum class TextureKind : uint8_t {
     kGeneral,                // any number of units, each described by FragmentState::textures
     kModulateBilinearRgba8,  // one 2D unit, REPEAT, LINEAR without mip levels, MODULATE of an RGB or RGBA
                              // texture
+    kBilinearRgba8,          // the same with a white colour and nothing after it: the texel is the pixel
 };
 
 enum class BlendKind : uint8_t {

@@ -52,6 +52,9 @@ TERRAZZO_INLINE TexelPairs split_pairs(I32x16 packed) {
 TERRAZZO_INLINE TexelPairs lerp_pairs(TexelPairs a, TexelPairs b, I32x16 weight) {
     return {lerp_pairs(a.rb, b.rb, weight), lerp_pairs(a.ga, b.ga, weight)};
 }
+TERRAZZO_INLINE I32x16 join_pairs(TexelPairs t) {
+    return t.rb | shift_left<8>(t.ga);
+}
 TERRAZZO_INLINE Color8 to_color8(TexelPairs t) {
     const I32x16 low(0xffff);
     return {t.rb & low, t.ga & low, shift_right_logical<16>(t.rb), shift_right_logical<16>(t.ga)};

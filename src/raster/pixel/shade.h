@@ -42,16 +42,20 @@ TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const I
     return c;
 }
 
-// One 2D unit, REPEAT, LINEAR without mip levels, MODULATE, 8-bit texels: the hot case of textured scenes.
-TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interpolator& at, F32x16 w,
-                                        const Color& f) {
+// One 2D unit, REPEAT, LINEAR without mip levels, 8-bit texels: the hot case of textured scenes.
+TERRAZZO_INLINE TexelPairs bilinear_texel(const FragmentState& state, const Interpolator& at, F32x16 w) {
     const TextureStage& stage = state.textures[0];
     const int first = state.varyings.texture[stage.unit];
-    const Color8 texel =
-        to_color8(sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, stage.sampler.levels[0], Filter::kLinear,
-                                  at.varying(first) * w, at.varying(first + 1) * w));
+    return sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, stage.sampler.levels[0], Filter::kLinear,
+                           at.varying(first) * w, at.varying(first + 1) * w);
+}
+
+TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interpolator& at, F32x16 w,
+                                        const Color& f) {
+    const Color8 texel = to_color8(bilinear_texel(state, at, w));
     const Color t{from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
-    return {f.r * t.r, f.g * t.g, f.b * t.b, stage.base_format == BaseFormat::kRgb ? f.a : f.a * t.a};
+    const bool opaque = state.textures[0].base_format == BaseFormat::kRgb;
+    return {f.r * t.r, f.g * t.g, f.b * t.b, opaque ? f.a : f.a * t.a};
 }
 
 TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w,
@@ -109,6 +113,11 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
             if (mask == 0) continue;
         }
         if (early && k.color_mask == 0) continue;
+        if (k.texture == TextureKind::kBilinearRgba8) {
+            const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
+            write_packed_rgba8(join_pairs(bilinear_texel(state, at, w)), mask, bin, tile);
+            continue;
+        }
         const Color color = shade_fragment(key, state, at, mask);
         if (!early) {
             mask &= bits_of(alpha_test(k.alpha_func, state, k.color_format, color.a));

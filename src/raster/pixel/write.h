@@ -23,6 +23,14 @@ TERRAZZO_INLINE int32_t byte_mask(uint32_t color_mask) {
                                 ((color_mask >> 2 & 1) * 0xff0000u) | ((color_mask >> 3 & 1) * 0xff000000u));
 }
 
+TERRAZZO_INLINE void store_pixels(I32x16 packed, uint32_t mask, uint32_t* pixels) {
+    if (mask == 0xffff) {
+        store(packed, pixels);
+    } else {
+        store_masked(mask_from_bits(mask), packed, pixels);
+    }
+}
+
 template <class Key>
 TERRAZZO_INLINE void write_rgba8(Key key, const FragmentState& state, const Color& color, uint32_t mask,
                                  std::byte* tile) {
@@ -51,11 +59,12 @@ TERRAZZO_INLINE void write_rgba8(Key key, const FragmentState& state, const Colo
         const I32x16 writable(byte_mask(k.color_mask));
         packed = (packed & writable) | (old & (writable ^ I32x16(-1)));
     }
-    if (mask == 0xffff) {
-        store(packed, pixels);
-    } else {
-        store_masked(mask_from_bits(mask), packed, pixels);
-    }
+    store_pixels(packed, mask, pixels);
+}
+
+// Pixels that need no more than to be stored.
+TERRAZZO_INLINE void write_packed_rgba8(I32x16 packed, uint32_t mask, Bin& bin, int tile) {
+    store_pixels(packed, mask, reinterpret_cast<uint32_t*>(bin.color) + tile * kTilePixels);
 }
 
 // The formats no hot path uses: a pixel's channels as floats in memory, blended as floats.
