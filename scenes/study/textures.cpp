@@ -3,6 +3,7 @@
 #include "textures.h"
 
 #include <algorithm>
+#include <array>
 
 namespace terrazzo::study {
 namespace {
@@ -61,21 +62,28 @@ int value_noise(int x, int y, int cell_bits, std::uint32_t seed) {
 Image make_tiles(int size, int tiles, std::uint32_t seed) {
     constexpr Colour kJoint{70, 66, 62};
     constexpr Colour kGlazes[] = {{196, 178, 150}, {150, 92, 70}, {92, 112, 128}, {212, 206, 192}};
-    const int edge = size / tiles;
-    // All tiles share one grain: noise at every texel of the largest texture would take longer than a first
-    // frame.
-    std::vector<int> grains(static_cast<std::size_t>(edge) * edge);
-    for (int y = 0; y < edge; ++y)
-        for (int x = 0; x < edge; ++x) grains[static_cast<std::size_t>(y) * edge + x] = grain(x, y, 4, seed);
-    return fill(size, [&, edge, seed](int x, int y) {
-        const int column = x / edge, row = y / edge;
-        const bool joint = x % edge < edge / 24 + 1 || y % edge < edge / 24 + 1;
-        const std::uint32_t dice =
-            hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed);
-        const Colour glaze = kGlazes[((column + row) & 1) + 2 * static_cast<int>(dice >> 31)];
-        return scaled(joint ? kJoint : glaze, grains[static_cast<std::size_t>(y % edge) * edge + x % edge],
-                      256);
-    });
+    const int edge = size / tiles, joint = edge / 24 + 1;
+    // One tile of each glaze, joints included: noise at every texel of the largest texture would take longer
+    // than a first frame.
+    std::array<Image, 4> glazed;
+    for (std::size_t i = 0; i < glazed.size(); ++i) {
+        glazed[i] = fill(edge, [=](int x, int y) {
+            return scaled(x < joint || y < joint ? kJoint : kGlazes[i], grain(x, y, 4, seed), 256);
+        });
+    }
+    Image image{size, size, std::vector<std::uint8_t>(static_cast<std::size_t>(size) * size * 4)};
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; x += edge) {
+            const int column = x / edge, row = y / edge;
+            const std::uint32_t dice =
+                hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed);
+            const Image& tile = glazed[((column + row) & 1) + 2 * (dice >> 31)];
+            std::copy_n(tile.rgba.data() + static_cast<std::size_t>(y % edge) * edge * 4,
+                        static_cast<std::size_t>(std::min(edge, size - x)) * 4,
+                        image.rgba.data() + (static_cast<std::size_t>(y) * size + x) * 4);
+        }
+    }
+    return image;
 }
 
 Image make_bricks(int size, std::uint32_t seed) {
