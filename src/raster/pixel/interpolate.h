@@ -13,10 +13,10 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-// z at the 16 pixels of a tile, before clamping.
-class DepthPlane {
+// One plane at the 16 pixels of a tile, with the reference's roundings.
+class ExactPlane {
   public:
-    TERRAZZO_INLINE DepthPlane(float a0, float dadx, float dady)
+    TERRAZZO_INLINE ExactPlane(float a0, float dadx, float dady)
         : m_a0(a0), m_slope_x(dadx), m_slope_y(dady) {}
 
     // The tile's first pixel is (x, y).
@@ -82,10 +82,17 @@ class Interpolator {
     TERRAZZO_INLINE F32x16 w() const { return F32x16(1.0f) / plane(1); }
     // A varying's plane; they follow z and 1/w.
     TERRAZZO_INLINE F32x16 varying(int index) const { return plane(2 + index); }
+    // The same two, rounded as the reference rounds them.
+    TERRAZZO_INLINE F32x16 exact_w() const { return F32x16(1.0f) / exact_plane(1); }
+    TERRAZZO_INLINE F32x16 exact_varying(int index) const { return exact_plane(2 + index); }
 
   private:
+    TERRAZZO_INLINE F32x16 exact_plane(int index) const {
+        return ExactPlane(m_a0[index], m_dadx[index], m_dady[index]).at(m_tile_x, m_tile_y);
+    }
+
     const float *m_a0, *m_dadx, *m_dady;
-    DepthPlane m_depth;
+    ExactPlane m_depth;
     int m_tile_x = 0, m_tile_y = 0;
     F32x16 m_x, m_y;
 };

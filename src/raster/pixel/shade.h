@@ -58,16 +58,19 @@ TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interp
     return {f.r * t.r, f.g * t.g, f.b * t.b, opaque ? f.a : f.a * t.a};
 }
 
-TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, F32x16 w,
-                                       Color color, uint32_t mask) {
+TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, Color color,
+                                       uint32_t mask) {
+    const F32x16 w = at.exact_w();
     for (int i = 0; i < state.texture_count; ++i) {
         const TextureStage& stage = state.textures[i];
         const int first = state.varyings.texture[stage.unit];
-        const F32x16 scale =
-            state.varyings.projective >> stage.unit & 1 ? F32x16(1.0f) / at.varying(first + 3) : w;
-        const Color texel =
-            sample_texture(stage.sampler, at.varying(first) * scale, at.varying(first + 1) * scale, mask);
-        color = combine(stage, color, texel);
+        F32x16 s = at.exact_varying(first) * w, t = at.exact_varying(first + 1) * w;
+        if (state.varyings.projective >> stage.unit & 1) {
+            const F32x16 q = at.exact_varying(first + 3) * w;
+            s = s / q;
+            t = t / q;
+        }
+        color = combine(stage, color, sample_texture(stage.sampler, s, t, mask));
     }
     return color;
 }
@@ -79,7 +82,7 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
     const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
     Color color = primary_color(key, state, at, w);
     if (k.texture == TextureKind::kModulateBilinearRgba8) color = modulate_bilinear(state, at, w, color);
-    if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, w, color, mask);
+    if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, color, mask);
     if (k.separate_specular) {
         const int first = state.varyings.secondary;
         color.r = color.r + at.varying(first) * w;
