@@ -34,10 +34,10 @@ bool is_one_of(GLenum type, std::initializer_list<GLenum> allowed) {
 // Checks and stores what a glXxxPointer command was given.
 void set_pointer(Context& ctx, ClientArray& array, GLint size, GLint low, GLint high, GLenum type,
                  std::initializer_list<GLenum> types, GLsizei stride, const GLvoid* pointer) {
+    if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
+    if (!is_one_of(type, types)) return record_error(ctx, GL_INVALID_ENUM, "no type for this array");
     if (size < low || size > high)
         return record_error(ctx, GL_INVALID_VALUE, "no array has elements of this size");
-    if (!is_one_of(type, types)) return record_error(ctx, GL_INVALID_ENUM, "no type for this array");
-    if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
     array = {array.enabled, size, type, stride, pointer};
 }
 

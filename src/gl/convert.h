@@ -2,7 +2,7 @@
 // answers.
 //
 // Integers that stand for colours and normals are normalised as GL 1.5 table 2.9 says: signed (2c + 1)/(2^b -
-// 1), unsigned c/(2^b - 1). 32-bit values go through double, so that the result is the rounded exact one.
+// 1), unsigned c/(2^b - 1); rounded as the reference rounds, so that its colours are ours to the last bit.
 #pragma once
 
 #include <GL/gl.h>
@@ -19,10 +19,17 @@ namespace terrazzo::gl {
 
 template <typename Integer>
 constexpr GLfloat normalised(Integer value) {
-    using Wide = std::conditional_t<sizeof(Integer) == 4, double, GLfloat>;
-    constexpr Wide steps = static_cast<Wide>(std::numeric_limits<std::make_unsigned_t<Integer>>::max());
-    const Wide wide = static_cast<Wide>(value);
-    return static_cast<GLfloat>((std::is_signed_v<Integer> ? 2 * wide + 1 : wide) / steps);
+    constexpr auto steps = std::numeric_limits<std::make_unsigned_t<Integer>>::max();
+    const GLfloat single = static_cast<GLfloat>(value);
+    if constexpr (std::is_signed_v<Integer>) {
+        return (2.0f * single + 1.0f) * (1.0f / static_cast<GLfloat>(steps));
+    } else if constexpr (sizeof(Integer) == 1) {
+        return single / static_cast<GLfloat>(steps);
+    } else if constexpr (sizeof(Integer) == 2) {
+        return single * (1.0f / static_cast<GLfloat>(steps));
+    } else {
+        return static_cast<GLfloat>(value * (1.0 / steps));
+    }
 }
 
 // The nearest integer (GL 1.5 §6.1.2); what does not fit, and NaN as 0, is brought into range.

@@ -21,9 +21,22 @@ using nlohmann::json;
 constexpr int kSeeds = 60;
 constexpr int kSteps = 120;
 
+// Formats of the buffer and depths take turns: queries of colours and of the target's bits depend on them.
+kit::ContextOptions options_of(unsigned seed) {
+    switch (seed % 4) {
+        case 1:
+            return {.type = GL_FLOAT};
+        case 2:
+            return {.format = OSMESA_RGB, .type = GL_UNSIGNED_SHORT, .depth_bits = 16, .stencil_bits = 0};
+        case 3:
+            return {.format = OSMESA_BGRA, .depth_bits = 0, .stencil_bits = 0};
+    }
+    return {};
+}
+
 // Child side: what every seed did, step by step; of the state only the lines that a step changed.
 json play_seed(const kit::Library& library, unsigned seed) {
-    const kit::OffscreenContext context(library, {});
+    const kit::OffscreenContext context(library, options_of(seed));
     StatePlayer player(library.gl, seed);
     std::vector<std::string> before = dump_state(library.gl);
     json steps = json::array({{{"command", "(initial state)"}, {"error", 0}, {"changed", before}}});

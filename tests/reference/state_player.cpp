@@ -1,7 +1,8 @@
 // The commands that the player knows; see state_player.h.
 #include "state_player.h"
 
-#include <cstdio>
+#include <cstdint>
+#include <iterator>
 
 namespace terrazzo::test {
 namespace {
@@ -230,9 +231,10 @@ void play_volume(Player& p) {
 }
 
 void play_polygon_stipple(Player& p) {
-    GLubyte pattern[128];
+    // Large enough for what play_pixel_store may ask to skip.
+    std::vector<GLubyte> pattern(2048);
     for (GLubyte& byte : pattern) byte = static_cast<GLubyte>(p.bits());
-    p.gl().PolygonStipple(pattern);
+    p.gl().PolygonStipple(pattern.data());
 }
 
 void play_matrix(Player& p) {
@@ -256,6 +258,173 @@ void play_push_attrib(Player& p) {
     if (mask & GL_ENABLE_BIT) mask |= GL_LIGHTING_BIT;
     p.note(std::to_string(mask));
     p.gl().PushAttrib(mask);
+}
+
+void play_current_value(Player& p) {
+    const auto v = p.numbers(4);
+    const GLuint bits = p.bits();
+    p.note(std::to_string(bits));
+    const auto b = static_cast<GLbyte>(bits);
+    const auto s = static_cast<GLshort>(bits);
+    const auto i = static_cast<GLint>(bits);
+    switch (p.pick(14)) {
+        case 0:
+            return p.gl().Color4f(v[0], v[1], v[2], v[3]);
+        case 1:
+            return p.gl().Color3b(b, 1, -128);
+        case 2:
+            return p.gl().Color4ub(static_cast<GLubyte>(b), 1, 254, 255);
+        case 3:
+            return p.gl().Color3s(s, 1, -32768);
+        case 4:
+            return p.gl().Color4us(static_cast<GLushort>(s), 1, 2, 65535);
+        case 5:
+            return p.gl().Color3i(i, 1, -1);
+        case 6:
+            return p.gl().Color3ui(bits, 1, 0xffffffffu);
+        case 7:
+            return p.gl().Color3d(v[0], v[1], v[2]);
+        case 8:
+            return p.gl().Normal3f(v[0], v[1], v[2]);
+        case 9:
+            return p.gl().Normal3s(s, 0, -1);
+        case 10:
+            return p.gl().TexCoord4f(v[0], v[1], v[2], v[3]);
+        case 11:
+            return p.gl().TexCoord2s(s, 7);
+        case 12:
+            return p.gl().EdgeFlag(p.flag());
+    }
+    p.gl().Indexf(v[0]);
+}
+
+// Values and materials, with commands among them that are not allowed there. No vertices: what is drawn is
+// for other tests, and the reference would compile shaders for every state.
+void play_primitive(Player& p) {
+    p.gl().Begin(p.pick(10) ? p.pick(10) : p.enumerant({TERRAZZO_E(GL_QUADS)}));
+    for (unsigned i = p.pick(6); i > 0; --i) {
+        switch (p.pick(4)) {
+            case 0:
+                p.gl().Enable(p.enumerant(kCapabilities));
+                break;
+            case 1:
+                p.gl().PopMatrix();
+                break;
+            case 2:
+                play_material(p);
+                break;
+            default:
+                play_current_value(p);
+        }
+    }
+    p.gl().End();
+}
+
+const Enumerants kArrays = {TERRAZZO_E(GL_VERTEX_ARRAY),        TERRAZZO_E(GL_NORMAL_ARRAY),
+                            TERRAZZO_E(GL_COLOR_ARRAY),         TERRAZZO_E(GL_INDEX_ARRAY),
+                            TERRAZZO_E(GL_TEXTURE_COORD_ARRAY), TERRAZZO_E(GL_EDGE_FLAG_ARRAY)};
+
+// Pointers are never read: arrays are set and enabled, but nothing is drawn from them. The reference stores
+// some negative strides although it records the error, so there are none here.
+void play_array(Player& p) {
+    const GLint size = static_cast<GLint>(p.pick(6));
+    const GLsizei stride = static_cast<GLsizei>(p.pick(40));
+    const void* pointer = reinterpret_cast<const void*>(std::uintptr_t{p.pick(64)} * 8);
+    p.note(std::to_string(size) + ' ' + std::to_string(stride));
+    const GLenum type =
+        p.enumerant({TERRAZZO_E(GL_FLOAT), TERRAZZO_E(GL_SHORT), TERRAZZO_E(GL_BYTE),
+                     TERRAZZO_E(GL_UNSIGNED_BYTE), TERRAZZO_E(GL_UNSIGNED_SHORT), TERRAZZO_E(GL_DOUBLE)});
+    switch (p.pick(6)) {
+        case 0:
+            return p.gl().VertexPointer(size, type, stride, pointer);
+        case 1:
+            return p.gl().NormalPointer(type, stride, pointer);
+        case 2:
+            return p.gl().ColorPointer(size, type, stride, pointer);
+        case 3:
+            return p.gl().IndexPointer(type, stride, pointer);
+        case 4:
+            return p.gl().TexCoordPointer(size, type, stride, pointer);
+    }
+    p.gl().EdgeFlagPointer(stride, pointer);
+}
+
+void play_interleaved_arrays(Player& p) {
+    const GLsizei stride = static_cast<GLsizei>(p.pick(100)) - 4;
+    p.note(std::to_string(stride));
+    const GLenum format = p.pick(8) ? GL_V2F + p.pick(14) : p.enumerant({TERRAZZO_E(GL_T2F_V3F)});
+    p.gl().InterleavedArrays(format, stride, nullptr);
+}
+
+void play_pixel_store(Player& p) {
+    const GLenum pname = p.enumerant(
+        {TERRAZZO_E(GL_UNPACK_SWAP_BYTES), TERRAZZO_E(GL_UNPACK_LSB_FIRST), TERRAZZO_E(GL_UNPACK_ROW_LENGTH),
+         TERRAZZO_E(GL_UNPACK_SKIP_ROWS), TERRAZZO_E(GL_UNPACK_SKIP_PIXELS), TERRAZZO_E(GL_UNPACK_ALIGNMENT),
+         TERRAZZO_E(GL_UNPACK_IMAGE_HEIGHT), TERRAZZO_E(GL_UNPACK_SKIP_IMAGES),
+         TERRAZZO_E(GL_PACK_SWAP_BYTES), TERRAZZO_E(GL_PACK_LSB_FIRST), TERRAZZO_E(GL_PACK_ROW_LENGTH),
+         TERRAZZO_E(GL_PACK_SKIP_ROWS), TERRAZZO_E(GL_PACK_SKIP_PIXELS), TERRAZZO_E(GL_PACK_ALIGNMENT),
+         TERRAZZO_E(GL_PACK_IMAGE_HEIGHT), TERRAZZO_E(GL_PACK_SKIP_IMAGES)});
+    // Small, because glPolygonStipple reads its pattern by them.
+    const GLint value = static_cast<GLint>(p.pick(12)) - 2;
+    p.note(std::to_string(value));
+    p.gl().PixelStorei(pname, value);
+}
+
+void play_pixel_transfer(Player& p) {
+    const GLenum pname =
+        p.enumerant({TERRAZZO_E(GL_MAP_COLOR), TERRAZZO_E(GL_MAP_STENCIL), TERRAZZO_E(GL_RED_SCALE),
+                     TERRAZZO_E(GL_RED_BIAS), TERRAZZO_E(GL_GREEN_SCALE), TERRAZZO_E(GL_BLUE_BIAS),
+                     TERRAZZO_E(GL_ALPHA_SCALE), TERRAZZO_E(GL_DEPTH_SCALE), TERRAZZO_E(GL_DEPTH_BIAS)});
+    if (p.pick(3)) return p.gl().PixelTransferf(pname, p.moderate_number());
+    const GLenum integer = p.enumerant({TERRAZZO_E(GL_INDEX_SHIFT), TERRAZZO_E(GL_INDEX_OFFSET)});
+    const GLint value = static_cast<GLint>(p.pick(64)) - 32;
+    p.note(std::to_string(value));
+    p.gl().PixelTransferi(integer, value);
+}
+
+void play_pixel_map(Player& p) {
+    constexpr GLsizei kSizes[] = {1, 2, 8, 16, 0, -1, 512};  // the reference lets I_TO_I have any
+    const GLsizei size = kSizes[p.pick(std::size(kSizes))];
+    p.note(std::to_string(size));
+    const std::vector<GLfloat> values(512, 0.5f);
+    p.gl().PixelMapfv(GL_PIXEL_MAP_I_TO_I + p.pick(10), size, values.data());
+}
+
+void play_texture(Player& p) {
+    const GLenum target = p.enumerant({TERRAZZO_E(GL_TEXTURE_1D), TERRAZZO_E(GL_TEXTURE_2D)});
+    switch (p.pick(5)) {
+        case 0:
+            return p.gl().BindTexture(target, p.pick(4) * 2 + (target == GL_TEXTURE_1D));
+        case 1: {
+            const GLuint names[2] = {p.pick(8), p.pick(8)};
+            return p.gl().DeleteTextures(2, names);
+        }
+        case 2:
+            return p.gl().TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, p.moderate_numbers(4).data());
+        case 3:
+            return p.gl().TexParameteri(
+                target, GL_TEXTURE_WRAP_S,
+                static_cast<GLint>(p.enumerant(
+                    {TERRAZZO_E(GL_CLAMP), TERRAZZO_E(GL_REPEAT), TERRAZZO_E(GL_CLAMP_TO_EDGE)})));
+    }
+    p.gl().TexParameteri(
+        target, GL_TEXTURE_MIN_FILTER,
+        static_cast<GLint>(p.enumerant({TERRAZZO_E(GL_NEAREST), TERRAZZO_E(GL_LINEAR_MIPMAP_LINEAR)})));
+}
+
+void play_blend_separate(Player& p) {
+    const Enumerants equations = {TERRAZZO_E(GL_FUNC_ADD), TERRAZZO_E(GL_FUNC_SUBTRACT), TERRAZZO_E(GL_MIN),
+                                  TERRAZZO_E(GL_MAX), TERRAZZO_E(GL_FUNC_REVERSE_SUBTRACT)};
+    const auto v = p.numbers(4);
+    switch (p.pick(3)) {
+        case 0:
+            return p.gl().BlendColor(v[0], v[1], v[2], v[3]);
+        case 1:
+            return p.gl().BlendEquation(p.enumerant(equations));
+    }
+    const GLenum source = p.enumerant(kBlendFactors), destination = p.enumerant(kBlendFactors);
+    const GLenum source_alpha = p.enumerant(kBlendFactors);
+    p.gl().BlendFuncSeparate(source, destination, source_alpha, p.enumerant({TERRAZZO_E(GL_CONSTANT_ALPHA)}));
 }
 
 // Arguments are drawn in statements of their own where a command takes several: the order in which C++
@@ -404,6 +573,23 @@ const Command kCommands[] = {
                      p.enumerant({TERRAZZO_E(GL_FASTEST), TERRAZZO_E(GL_NICEST), TERRAZZO_E(GL_DONT_CARE)}));
      }},
     {"glPushAttrib", play_push_attrib},
+    {"current value", play_current_value},
+    {"glBegin...glEnd", play_primitive},
+    {"array pointer", play_array},
+    {"glInterleavedArrays", play_interleaved_arrays},
+    {"glEnableClientState", [](Player& p) { p.gl().EnableClientState(p.enumerant(kArrays)); }},
+    {"glDisableClientState", [](Player& p) { p.gl().DisableClientState(p.enumerant(kArrays)); }},
+    {"glPixelStorei", play_pixel_store},
+    {"glPixelTransferf", play_pixel_transfer},
+    {"glPixelMapfv", play_pixel_map},
+    {"glPixelZoom",
+     [](Player& p) {
+         const auto v = p.numbers(2);
+         p.gl().PixelZoom(v[0], v[1]);
+     }},
+    {"texture", play_texture},
+    {"blend", play_blend_separate},
+    {"glListBase", [](Player& p) { p.gl().ListBase(p.pick(9)); }},
     {"glPopAttrib", [](Player& p) { p.gl().PopAttrib(); }},
     {"glPushClientAttrib", [](Player& p) { p.gl().PushClientAttrib(p.pick(4)); }},
     {"glPopClientAttrib", [](Player& p) { p.gl().PopClientAttrib(); }},

@@ -2,6 +2,7 @@
 #include "state_dump.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <iterator>
 
@@ -144,9 +145,74 @@ constexpr Variable kVariables[] = {
     {TERRAZZO_NAME(GL_AUX_BUFFERS), 1},
     {TERRAZZO_NAME(GL_INDEX_BITS), 1},
     {TERRAZZO_NAME(GL_RENDER_MODE), 1},
+    {TERRAZZO_NAME(GL_CURRENT_COLOR), 4, false},
+    {TERRAZZO_NAME(GL_CURRENT_INDEX), 1, false},
+    {TERRAZZO_NAME(GL_CURRENT_NORMAL), 3, false},
+    {TERRAZZO_NAME(GL_CURRENT_TEXTURE_COORDS), 4, false},
+    {TERRAZZO_NAME(GL_EDGE_FLAG), 1},
+    {TERRAZZO_NAME(GL_CURRENT_RASTER_POSITION), 4, false},
+    {TERRAZZO_NAME(GL_CURRENT_RASTER_DISTANCE), 1},
+    {TERRAZZO_NAME(GL_CURRENT_RASTER_COLOR), 4, false},
+    {TERRAZZO_NAME(GL_CURRENT_RASTER_TEXTURE_COORDS), 4},
+    {TERRAZZO_NAME(GL_CURRENT_RASTER_POSITION_VALID), 1},
+    {TERRAZZO_NAME(GL_VERTEX_ARRAY_SIZE), 1},
+    {TERRAZZO_NAME(GL_VERTEX_ARRAY_TYPE), 1},
+    {TERRAZZO_NAME(GL_VERTEX_ARRAY_STRIDE), 1},
+    {TERRAZZO_NAME(GL_NORMAL_ARRAY_TYPE), 1},
+    {TERRAZZO_NAME(GL_NORMAL_ARRAY_STRIDE), 1},
+    {TERRAZZO_NAME(GL_COLOR_ARRAY_SIZE), 1},
+    {TERRAZZO_NAME(GL_COLOR_ARRAY_TYPE), 1},
+    {TERRAZZO_NAME(GL_COLOR_ARRAY_STRIDE), 1},
+    {TERRAZZO_NAME(GL_INDEX_ARRAY_TYPE), 1},
+    {TERRAZZO_NAME(GL_INDEX_ARRAY_STRIDE), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_SIZE), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_TYPE), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_STRIDE), 1},
+    {TERRAZZO_NAME(GL_EDGE_FLAG_ARRAY_STRIDE), 1},
+    {TERRAZZO_NAME(GL_TRANSPOSE_MODELVIEW_MATRIX), 16, false},
+    {TERRAZZO_NAME(GL_TRANSPOSE_PROJECTION_MATRIX), 16, false},
+    {TERRAZZO_NAME(GL_TRANSPOSE_TEXTURE_MATRIX), 16, false},
+    {TERRAZZO_NAME(GL_BLEND_SRC_RGB), 1},
+    {TERRAZZO_NAME(GL_BLEND_SRC_ALPHA), 1},
+    {TERRAZZO_NAME(GL_BLEND_DST_RGB), 1},
+    {TERRAZZO_NAME(GL_BLEND_DST_ALPHA), 1},
+    {TERRAZZO_NAME(GL_BLEND_EQUATION_RGB), 1},
+    {TERRAZZO_NAME(GL_BLEND_EQUATION_ALPHA), 1},
+    {TERRAZZO_NAME(GL_BLEND_COLOR), 4, false},
+    {TERRAZZO_NAME(GL_UNPACK_IMAGE_HEIGHT), 1},
+    {TERRAZZO_NAME(GL_UNPACK_SKIP_IMAGES), 1},
+    {TERRAZZO_NAME(GL_PACK_IMAGE_HEIGHT), 1},
+    {TERRAZZO_NAME(GL_PACK_SKIP_IMAGES), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_I_TO_I_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_S_TO_S_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_I_TO_R_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_I_TO_G_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_I_TO_B_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_I_TO_A_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_R_TO_R_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_G_TO_G_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_B_TO_B_SIZE), 1},
+    {TERRAZZO_NAME(GL_PIXEL_MAP_A_TO_A_SIZE), 1},
+    {TERRAZZO_NAME(GL_LIST_BASE), 1},
+    {TERRAZZO_NAME(GL_LIST_INDEX), 1},
+    {TERRAZZO_NAME(GL_LIST_MODE), 1},
+    {TERRAZZO_NAME(GL_MAX_ELEMENTS_VERTICES), 1},
+    {TERRAZZO_NAME(GL_MAX_ELEMENTS_INDICES), 1},
+    {TERRAZZO_NAME(GL_RED_BITS), 1},
+    {TERRAZZO_NAME(GL_GREEN_BITS), 1},
+    {TERRAZZO_NAME(GL_BLUE_BITS), 1},
+    {TERRAZZO_NAME(GL_ALPHA_BITS), 1},
+    {TERRAZZO_NAME(GL_DEPTH_BITS), 1},
+    {TERRAZZO_NAME(GL_STENCIL_BITS), 1},
 };
 
 constexpr Name kCapabilities[] = {
+    TERRAZZO_NAME(GL_EDGE_FLAG_ARRAY),
+    TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY),
+    TERRAZZO_NAME(GL_INDEX_ARRAY),
+    TERRAZZO_NAME(GL_COLOR_ARRAY),
+    TERRAZZO_NAME(GL_NORMAL_ARRAY),
+    TERRAZZO_NAME(GL_VERTEX_ARRAY),
     TERRAZZO_NAME(GL_ALPHA_TEST),
     TERRAZZO_NAME(GL_BLEND),
     TERRAZZO_NAME(GL_CLIP_PLANE0),
@@ -219,6 +285,18 @@ constexpr Parameter kEnvironmentParameters[] = {
     {TERRAZZO_NAME(GL_TEXTURE_ENV_COLOR), 4},
 };
 
+constexpr Parameter kTextureParameters[] = {
+    {TERRAZZO_NAME(GL_TEXTURE_MIN_FILTER), 1, true}, {TERRAZZO_NAME(GL_TEXTURE_MAG_FILTER), 1, true},
+    {TERRAZZO_NAME(GL_TEXTURE_WRAP_S), 1, true},     {TERRAZZO_NAME(GL_TEXTURE_WRAP_T), 1, true},
+    {TERRAZZO_NAME(GL_TEXTURE_BORDER_COLOR), 4},     {TERRAZZO_NAME(GL_TEXTURE_PRIORITY), 1},
+};
+
+constexpr Name kTextureTargets[] = {TERRAZZO_NAME(GL_TEXTURE_1D), TERRAZZO_NAME(GL_TEXTURE_2D)};
+constexpr Name kPointers[] = {
+    TERRAZZO_NAME(GL_VERTEX_ARRAY_POINTER),        TERRAZZO_NAME(GL_NORMAL_ARRAY_POINTER),
+    TERRAZZO_NAME(GL_COLOR_ARRAY_POINTER),         TERRAZZO_NAME(GL_INDEX_ARRAY_POINTER),
+    TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_POINTER), TERRAZZO_NAME(GL_EDGE_FLAG_ARRAY_POINTER),
+};
 constexpr Name kLights[] = {TERRAZZO_NAME(GL_LIGHT0), TERRAZZO_NAME(GL_LIGHT1), TERRAZZO_NAME(GL_LIGHT7)};
 constexpr Name kFaces[] = {TERRAZZO_NAME(GL_FRONT), TERRAZZO_NAME(GL_BACK)};
 constexpr Name kCoordinates[] = {TERRAZZO_NAME(GL_S), TERRAZZO_NAME(GL_T), TERRAZZO_NAME(GL_R),
@@ -227,9 +305,11 @@ constexpr Name kClipPlanes[] = {TERRAZZO_NAME(GL_CLIP_PLANE0), TERRAZZO_NAME(GL_
                                 TERRAZZO_NAME(GL_CLIP_PLANE5)};
 constexpr Name kEnvironments[] = {TERRAZZO_NAME(GL_TEXTURE_ENV)};
 
+// -0 is written as 0: which of them a matrix product gives depends, in the reference, on when it last looked
+// at the matrix.
 std::string text(GLdouble value) {
     char buffer[64];
-    std::snprintf(buffer, sizeof buffer, " %a", value);
+    std::snprintf(buffer, sizeof buffer, " %a", value + 0.0);
     return buffer;
 }
 
@@ -288,8 +368,14 @@ void dump_objects(const Objects& objects, const Parameters& parameters, Floats f
 }
 
 void dump_polygon_stipple(const kit::Gl& gl, Dump& dump) {
+    gl.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    for (GLenum parameter : {GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS}) {
+        gl.PixelStorei(parameter, 0);
+    }
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
     GLubyte pattern[128] = {};
     gl.GetPolygonStipple(pattern);
+    gl.PopClientAttrib();
     std::string line = "POLYGON_STIPPLE";
     for (GLubyte byte : pattern) line += text(byte);
     dump.push_back(line);
@@ -305,9 +391,15 @@ std::vector<std::string> dump_state(const kit::Gl& gl) {
     dump_objects(kFaces, kMaterialParameters, gl.GetMaterialfv, gl.GetMaterialiv, dump);
     dump_objects(kCoordinates, kTexgenParameters, gl.GetTexGenfv, gl.GetTexGeniv, dump);
     dump_objects(kEnvironments, kEnvironmentParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
+    dump_objects(kTextureTargets, kTextureParameters, gl.GetTexParameterfv, gl.GetTexParameteriv, dump);
     for (const Name& plane : kClipPlanes) {
         dump.push_back(
             query_line<GLdouble>(plane.text, "double", 4, [&](auto* p) { gl.GetClipPlane(plane.value, p); }));
+    }
+    for (const Name& name : kPointers) {
+        void* pointer = nullptr;
+        gl.GetPointerv(name.value, &pointer);
+        dump.push_back(name.text + text(static_cast<GLdouble>(reinterpret_cast<std::uintptr_t>(pointer))));
     }
     dump_polygon_stipple(gl, dump);
     dump.push_back("error after the queries" + text(gl.GetError()));
