@@ -237,6 +237,8 @@ SCENE(state_each_attribute_group, "each bit of PushAttrib restores its own group
     // Not nested in another push: Mesa 22.3's outer PopAttrib forgets what changed under an inner one.
     for (int bit = 0; bit < 20; ++bit) {
         if (1U << bit == GL_ACCUM_BUFFER_BIT || 1U << bit == GL_EVAL_BIT) continue;
+        // Mesa 22.3's enable group leaves the lights out; the unit tests hold ours to the specification.
+        if (1U << bit == GL_ENABLE_BIT) continue;
         scribble(gl, false);
         gl.PushAttrib(1U << bit);
         scribble(gl, true);

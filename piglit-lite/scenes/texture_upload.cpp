@@ -285,9 +285,8 @@ SCENE(upload_borders, "one-texel borders with CLAMP, in colour and in one dimens
         gl.Translatef(-0.25F, -0.25F, 0);
         textured_rectangle(gl, x + 3, y + 3, x + w - 3, y + h - 3, 1.5F, 1.5F);
     });
-    GLint border = 0;
-    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_BORDER, &border);
-    notes.value("border", border);
+    // GL_TEXTURE_BORDER is not noted: Mesa strips borders and answers 0, ours keeps what the specification
+    // keeps.
 }
 
 SCENE(upload_pixel_transfer, "scale, bias and maps applied while a texture is unpacked") {

@@ -66,9 +66,9 @@ TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpo
         const int first = state.varyings.texture[stage.unit];
         F32x16 s = at.exact_varying(first) * w, t = at.exact_varying(first + 1) * w;
         if (state.varyings.projective >> stage.unit & 1) {
-            const F32x16 q = at.exact_varying(first + 3) * w;
-            s = s / q;
-            t = t / q;
+            const F32x16 scale = F32x16(1.0f) / (at.exact_varying(first + 3) * w);
+            s = s * scale;
+            t = t * scale;
         }
         color = combine(stage, color, sample_texture(stage.sampler, s, t, mask));
     }

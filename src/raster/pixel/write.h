@@ -31,14 +31,11 @@ TERRAZZO_INLINE void store_pixels(I32x16 packed, uint32_t mask, uint32_t* pixels
     }
 }
 
+// What an RGBA8 pixel that holds `old` is to hold; `old` is looked at only where the state makes it matter.
 template <class Key>
-TERRAZZO_INLINE void write_rgba8(Key key, const FragmentState& state, const Color& color, uint32_t mask,
-                                 std::byte* tile) {
+TERRAZZO_INLINE I32x16 finish_rgba8(Key key, const FragmentState& state, const Color& color, I32x16 old) {
     const FragmentKey& k = key.value;
-    uint32_t* const pixels = reinterpret_cast<uint32_t*>(tile);
     Color8 c{to_unorm8(color.r), to_unorm8(color.g), to_unorm8(color.b), to_unorm8(color.a)};
-    const bool reads = k.blend != BlendKind::kNone || k.logic_op || k.color_mask != 0xf;
-    const I32x16 old = reads ? load(pixels) : I32x16(0);
     if (k.blend != BlendKind::kNone) {
         Color8 d = unpack_rgba8(old);
         if (!state.has_destination_alpha) d.a = I32x16(255);
@@ -59,7 +56,16 @@ TERRAZZO_INLINE void write_rgba8(Key key, const FragmentState& state, const Colo
         const I32x16 writable(byte_mask(k.color_mask));
         packed = (packed & writable) | (old & (writable ^ I32x16(-1)));
     }
-    store_pixels(packed, mask, pixels);
+    return packed;
+}
+
+template <class Key>
+TERRAZZO_INLINE void write_rgba8(Key key, const FragmentState& state, const Color& color, uint32_t mask,
+                                 std::byte* tile) {
+    const FragmentKey& k = key.value;
+    uint32_t* const pixels = reinterpret_cast<uint32_t*>(tile);
+    const bool reads = k.blend != BlendKind::kNone || k.logic_op || k.color_mask != 0xf;
+    store_pixels(finish_rgba8(key, state, color, reads ? load(pixels) : I32x16(0)), mask, pixels);
 }
 
 // Pixels that need no more than to be stored.
@@ -73,14 +79,7 @@ struct TileColors {
 };
 inline void decode_tile(ColorFormat format, const std::byte* tile, TileColors& out) {
     for (int i = 0; i < 16; ++i) {
-        if (format == ColorFormat::kRgb565) {
-            uint16_t v;
-            std::memcpy(&v, tile + i * 2, sizeof v);
-            out.channel[0][i] = static_cast<float>(v >> 11) * (1.0f / 31.0f);
-            out.channel[1][i] = static_cast<float>(v >> 5 & 63) * (1.0f / 63.0f);
-            out.channel[2][i] = static_cast<float>(v & 31) * (1.0f / 31.0f);
-            out.channel[3][i] = 1.0f;
-        } else if (format == ColorFormat::kRgba16) {
+        if (format == ColorFormat::kRgba16) {
             uint16_t v[4];
             std::memcpy(v, tile + i * 8, sizeof v);
             for (int c = 0; c < 4; ++c) out.channel[c][i] = static_cast<float>(v[c]) * (1.0f / 65535.0f);
@@ -92,32 +91,40 @@ inline void decode_tile(ColorFormat format, const std::byte* tile, TileColors& o
     }
 }
 
-// Channel maxima of the integer formats.
-struct ChannelLimits {
-    float maximum[4];
-};
-inline ChannelLimits channel_limits(ColorFormat format) {
-    if (format == ColorFormat::kRgb565) return {{31, 63, 31, 1}};
-    return {{65535, 65535, 65535, 65535}};
-}
-
-inline void encode_pixel(ColorFormat format, const int32_t (&v)[4], std::byte* out) {
-    if (format == ColorFormat::kRgb565) {
-        const uint16_t packed = static_cast<uint16_t>(v[0] << 11 | v[1] << 5 | v[2]);
-        std::memcpy(out, &packed, sizeof packed);
-    } else {
-        const uint16_t packed[4] = {static_cast<uint16_t>(v[0]), static_cast<uint16_t>(v[1]),
-                                    static_cast<uint16_t>(v[2]), static_cast<uint16_t>(v[3])};
-        std::memcpy(out, packed, sizeof packed);
+// 5-6-5 pixels live as eight bits a channel while they are worked on: widened by repeating their top bits,
+// cut off again at the end (doc/reference.md §4).
+inline I32x16 load_rgb565(const std::byte* tile) {
+    alignas(64) uint32_t wide[16];
+    for (int i = 0; i < 16; ++i) {
+        uint16_t v;
+        std::memcpy(&v, tile + i * 2, sizeof v);
+        const uint32_t r = v >> 11, g = v >> 5 & 63, b = v & 31;
+        wide[i] = (r << 3 | r >> 2) | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2) << 16 | 0xff000000u;
     }
+    return load(wide);
 }
 
 template <class Key>
-TERRAZZO_NOINLINE void write_other_format(Key key, const FragmentState& state, const Color& color,
-                                          uint32_t mask, std::byte* tile) {
+TERRAZZO_NOINLINE void write_rgb565(Key key, const FragmentState& state, const Color& color, uint32_t mask,
+                                    std::byte* tile) {
+    alignas(64) uint32_t pixels[16];
+    store(finish_rgba8(key, state, color, load_rgb565(tile)), pixels);
+    for (int i = 0; i < 16; ++i) {
+        if (!(mask >> i & 1)) continue;
+        const uint32_t p = pixels[i];
+        const uint16_t packed =
+            static_cast<uint16_t>((p >> 3 & 31) << 11 | (p >> 10 & 63) << 5 | (p >> 19 & 31));
+        std::memcpy(tile + i * 2, &packed, sizeof packed);
+    }
+}
+
+// Sixteen bits or a float a channel, blended as floats.
+template <class Key>
+TERRAZZO_NOINLINE void write_wide_format(Key key, const FragmentState& state, const Color& color,
+                                         uint32_t mask, std::byte* tile) {
+    constexpr float kMaximum = 65535.0f;
     const FragmentKey& k = key.value;
     const bool is_float = k.color_format == ColorFormat::kRgba32F;
-    const ChannelLimits limits = channel_limits(k.color_format);
     TileColors old;
     decode_tile(k.color_format, tile, old);
     BlendInput<ChannelF> in;
@@ -129,36 +136,23 @@ TERRAZZO_NOINLINE void write_other_format(Key key, const FragmentState& state, c
     if (!state.has_destination_alpha) in.destination[3] = F32x16(1.0f);
     F32x16 out[4] = {in.source[0], in.source[1], in.source[2], in.source[3]};
     if (k.blend != BlendKind::kNone) blend_general<ChannelF>(state, in, out);
-
-    const int stride = bytes_per_pixel(k.color_format);
-    alignas(64) float floats[4][16];
-    alignas(64) int32_t integers[4][16];
     for (int c = 0; c < 4; ++c) {
-        if (is_float) {
-            store(out[c], floats[c]);
-            continue;
-        }
-        I32x16 v = to_unorm(out[c], limits.maximum[c]);
-        if (k.logic_op) {
-            const I32x16 bits(static_cast<int32_t>(limits.maximum[c]));
-            v = apply_logic_op(state.logic_op, v, to_unorm(in.destination[c], limits.maximum[c])) & bits;
-        }
-        store(v, integers[c]);
-    }
-    for (int i = 0; i < 16; ++i) {
-        if (!(mask >> i & 1)) continue;
-        std::byte* const pixel = tile + i * stride;
-        if (is_float) {
-            float v[4];
-            for (int c = 0; c < 4; ++c) v[c] = k.color_mask >> c & 1 ? floats[c][i] : old.channel[c][i];
-            std::memcpy(pixel, v, sizeof v);
-        } else {
-            int32_t v[4];
-            for (int c = 0; c < 4; ++c)
-                v[c] = k.color_mask >> c & 1
-                           ? integers[c][i]
-                           : static_cast<int32_t>(old.channel[c][i] * limits.maximum[c] + 0.5f);
-            encode_pixel(k.color_format, v, pixel);
+        if (!(k.color_mask >> c & 1)) continue;
+        alignas(64) float floats[16];
+        alignas(64) int32_t integers[16];
+        store(out[c], floats);
+        I32x16 v = to_unorm(out[c], kMaximum);
+        if (k.logic_op)
+            v = apply_logic_op(state.logic_op, v, to_unorm(in.destination[c], kMaximum)) & I32x16(65535);
+        store(v, integers);
+        for (int i = 0; i < 16; ++i) {
+            if (!(mask >> i & 1)) continue;
+            if (is_float) {
+                std::memcpy(tile + i * 16 + c * 4, &floats[i], sizeof(float));
+            } else {
+                const uint16_t value = static_cast<uint16_t>(integers[i]);
+                std::memcpy(tile + i * 8 + c * 2, &value, sizeof value);
+            }
         }
     }
 }
@@ -172,8 +166,10 @@ TERRAZZO_INLINE void write_color(Key key, const FragmentState& state, const Colo
                                               static_cast<size_t>(bytes_per_pixel(k.color_format));
     if (k.color_format == ColorFormat::kRgba8) {
         write_rgba8(key, state, color, mask, pixels);
+    } else if (k.color_format == ColorFormat::kRgb565) {
+        write_rgb565(key, state, color, mask, pixels);
     } else {
-        write_other_format(key, state, color, mask, pixels);
+        write_wide_format(key, state, color, mask, pixels);
     }
 }
 
