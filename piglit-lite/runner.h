@@ -32,6 +32,7 @@ struct SceneReport {
     Comparison softpipe_comparison;
     std::vector<std::string> problems;  // the comparison's and those among our own configurations
     double seconds = 0;
+    bool open = false;  // differs as Scene::open_difference says
 
     bool passed() const { return problems.empty(); }
 };
