@@ -31,11 +31,24 @@ TERRAZZO_INLINE void store_pixels(I32x16 packed, uint32_t mask, uint32_t* pixels
     }
 }
 
+// Whether every channel is known to lie in [0, 1]: a clamped constant, as it is or times a texel.
+template <class Key>
+TERRAZZO_INLINE bool is_bounded(Key key) {
+    const FragmentKey& k = key.value;
+    return !k.interpolated_color && !k.separate_specular && k.fog == FogMode::kNone &&
+           k.texture != TextureKind::kGeneral;
+}
+
+template <class Key>
+TERRAZZO_INLINE I32x16 quantize(Key key, F32x16 f) {
+    return is_bounded(key) ? round_to_int(f * F32x16(255.0f)) : to_unorm8(f);
+}
+
 // What an RGBA8 pixel that holds `old` is to hold; `old` is looked at only where the state makes it matter.
 template <class Key>
 TERRAZZO_INLINE I32x16 finish_rgba8(Key key, const FragmentState& state, const Color& color, I32x16 old) {
     const FragmentKey& k = key.value;
-    Color8 c{to_unorm8(color.r), to_unorm8(color.g), to_unorm8(color.b), to_unorm8(color.a)};
+    Color8 c{quantize(key, color.r), quantize(key, color.g), quantize(key, color.b), quantize(key, color.a)};
     if (k.blend != BlendKind::kNone) {
         Color8 d = unpack_rgba8(old);
         if (!state.has_destination_alpha) d.a = I32x16(255);
