@@ -4,22 +4,6 @@
 namespace terrazzo::gl {
 namespace {
 
-// GL 1.5 §3.6.4: the first component is in the highest bits, with _REV in the lowest.
-constexpr PackedType kPackedTypes[] = {
-    {GL_UNSIGNED_BYTE_3_3_2, 1, 3, {3, 3, 2, 0}, {5, 2, 0, 0}},
-    {GL_UNSIGNED_BYTE_2_3_3_REV, 1, 3, {3, 3, 2, 0}, {0, 3, 6, 0}},
-    {GL_UNSIGNED_SHORT_5_6_5, 2, 3, {5, 6, 5, 0}, {11, 5, 0, 0}},
-    {GL_UNSIGNED_SHORT_5_6_5_REV, 2, 3, {5, 6, 5, 0}, {0, 5, 11, 0}},
-    {GL_UNSIGNED_SHORT_4_4_4_4, 2, 4, {4, 4, 4, 4}, {12, 8, 4, 0}},
-    {GL_UNSIGNED_SHORT_4_4_4_4_REV, 2, 4, {4, 4, 4, 4}, {0, 4, 8, 12}},
-    {GL_UNSIGNED_SHORT_5_5_5_1, 2, 4, {5, 5, 5, 1}, {11, 6, 1, 0}},
-    {GL_UNSIGNED_SHORT_1_5_5_5_REV, 2, 4, {5, 5, 5, 1}, {0, 5, 10, 15}},
-    {GL_UNSIGNED_INT_8_8_8_8, 4, 4, {8, 8, 8, 8}, {24, 16, 8, 0}},
-    {GL_UNSIGNED_INT_8_8_8_8_REV, 4, 4, {8, 8, 8, 8}, {0, 8, 16, 24}},
-    {GL_UNSIGNED_INT_10_10_10_2, 4, 4, {10, 10, 10, 2}, {22, 12, 2, 0}},
-    {GL_UNSIGNED_INT_2_10_10_10_REV, 4, 4, {10, 10, 10, 2}, {0, 10, 20, 30}},
-};
-
 bool fits_packed(GLenum format, const PackedType& packed) {
     if (packed.components == 3) return format == GL_RGB;
     if (format == GL_ABGR_EXT) return packed.bits[0] == packed.bits[3];  // EXT_abgr with equal fields only

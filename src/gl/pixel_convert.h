@@ -10,6 +10,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <bit>
 #include <cstdint>
 
 namespace terrazzo::gl {
@@ -28,8 +29,24 @@ constexpr unsigned resize_unorm(unsigned value, unsigned from_bits, unsigned to_
     return repeated >> (bits - to_bits);
 }
 
-// To an n-bit unsigned normalised integer, saturating; NaN becomes 0.
-unsigned unorm_from_float(float value, unsigned bits);
+// NaN becomes 0.
+inline float clamp_to_unit(float value) {
+    const float positive = value > 0.0f ? value : 0.0f;
+    return positive < 1.0f ? positive : 1.0f;
+}
+
+// To the nearest integer, ties to even, for |value| < 2^22: a float of 1.5 * 2^23 and more has no fraction
+// left. Unlike lrint this becomes vector code.
+inline int round_to_int(float value) {
+    return std::bit_cast<int>(value + 12582912.0f) - std::bit_cast<int>(12582912.0f);
+}
+
+// To an unsigned normalised integer of at most 16 bits, saturating.
+inline unsigned unorm_from_float(float value, unsigned bits) {
+    return static_cast<unsigned>(round_to_int(clamp_to_unit(value) * static_cast<float>((1u << bits) - 1)));
+}
+
+void bytes_from_floats(const float* values, int count, uint8_t* bytes);  // to 8 bits each
 
 // Whether all components of this type are unsigned and have at most 8 bits: what `unpack_rgba8` can take.
 bool has_8_bit_components(GLenum type);

@@ -62,6 +62,11 @@ void transfer_indices_to_colors(const PixelState& state, const uint32_t* indices
     }
 }
 
+bool changes_stencils(const PixelState& state) {
+    const PixelTransfer& transfer = state.mode.transfer;
+    return transfer.index_shift != 0 || transfer.index_offset != 0 || transfer.map_stencil;
+}
+
 void transfer_stencils(const PixelState& state, uint32_t* indices, int count) {
     constexpr uint32_t kStencilMask = 0xff;  // stencil buffers have 8 bits
     const PixelTransfer& transfer = state.mode.transfer;

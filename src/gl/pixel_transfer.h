@@ -11,6 +11,7 @@ namespace terrazzo::gl {
 // Whether scale, bias or the colour maps change anything; when not, rows may take the 8-bit path.
 bool changes_colors(const PixelState& state);
 bool changes_depths(const PixelState& state);
+bool changes_stencils(const PixelState& state);
 
 // Scale, bias and the RGBA to RGBA maps, in this order. Values are not clamped but by the maps.
 void transfer_colors(const PixelState& state, float* rgba, int count);

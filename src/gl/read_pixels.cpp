@@ -59,6 +59,9 @@ class PixelReader {
 
     void read_colors(const Run& run) const {
         if (m_source.has_bytes(m_state) && goes_through_bytes()) {
+            if (m_format == GL_RGBA && m_type == GL_UNSIGNED_BYTE) {
+                return m_source.read(run.x, run.y, run.count, run.destination);
+            }
             uint8_t rgba[4 * kPixelChunk];
             m_source.read(run.x, run.y, run.count, rgba);
             pack_rgba8(m_format, m_type, m_state.pack.swap_bytes, rgba, run.count, run.destination);
@@ -98,9 +101,9 @@ class PixelReader {
                 integers[i] = integers[i] << (32 - bits) | integers[i] >> (2 * bits - 32);
             return pack_indices(m_type, false, false, integers, run.count, run.destination, 0);
         }
-        const double maximum = static_cast<double>((uint64_t{1} << bits) - 1);
+        const double scale = 1.0 / static_cast<double>((uint64_t{1} << bits) - 1);
         float depths[kPixelChunk];
-        for (int i = 0; i < run.count; ++i) depths[i] = static_cast<float>(integers[i] / maximum);
+        for (int i = 0; i < run.count; ++i) depths[i] = static_cast<float>(integers[i] * scale);
         if (changes_depths(m_state)) transfer_depths(m_state, depths, run.count);
         pack_depths(m_type, swap_bytes, depths, run.count, run.destination);
     }
@@ -110,7 +113,7 @@ class PixelReader {
         pipeline::read_stencil(m_source.target(), run.x, m_source.row(run.y), run.count, bytes);
         uint32_t indices[kPixelChunk];
         std::copy_n(bytes, run.count, indices);
-        transfer_stencils(m_state, indices, run.count);
+        if (changes_stencils(m_state)) transfer_stencils(m_state, indices, run.count);
         pack_indices(m_type, m_state.pack.swap_bytes, m_state.pack.lsb_first, indices, run.count,
                      run.destination, run.first_bit);
     }

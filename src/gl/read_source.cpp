@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gl/context.h"
+#include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
 #include "pipeline/read_row.h"
 
@@ -13,10 +14,6 @@ namespace {
 raster::Target& finished_target(Context& ctx) {
     finish_drawing(ctx);
     return *ctx.renderer.target();
-}
-
-float clamp_to_unit(float value) {
-    return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
 }
 
 }  // namespace

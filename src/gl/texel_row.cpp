@@ -1,9 +1,11 @@
 // Quantising and spreading texels.
 #include "gl/texel_row.h"
 
+#include <algorithm>
 #include <array>
-#include <cstring>
 
+#include "gl/channels.h"
+#include "gl/client_pixel.h"
 #include "gl/pixel_convert.h"
 
 namespace terrazzo::gl {
@@ -26,145 +28,157 @@ constexpr std::array<QuantizeTable, 9> make_quantize_tables() {
 }
 constexpr std::array<QuantizeTable, 9> kQuantize = make_quantize_tables();
 
-// Which channel of the group each stored channel takes; kZero and kOne are constants.
-using Channels = std::array<uint8_t, 4>;
-constexpr uint8_t kZero = 4, kOne = 5;
-
-Channels stored_channels(BaseFormat base) {
-    switch (base) {
-        case BaseFormat::kAlpha:
-            return {kZero, kZero, kZero, 3};
-        case BaseFormat::kLuminance:
-            return {0, 0, 0, kOne};
-        case BaseFormat::kLuminanceAlpha:
-            return {0, 0, 0, 3};
-        case BaseFormat::kIntensity:
-            return {0, 0, 0, 0};
-        case BaseFormat::kRgb:
-            return {0, 1, 2, kOne};
-        case BaseFormat::kRgba:
-        case BaseFormat::kDepth:
-            break;
-    }
-    return {0, 1, 2, 3};
-}
-
-// GL 1.5 table 6.1 applied to stored channels.
-Channels loaded_channels(BaseFormat base) {
-    switch (base) {
-        case BaseFormat::kLuminance:
-        case BaseFormat::kIntensity:
-            return {0, kZero, kZero, kOne};
-        case BaseFormat::kLuminanceAlpha:
-            return {0, kZero, kZero, 3};
-        case BaseFormat::kAlpha:
-        case BaseFormat::kRgb:
-        case BaseFormat::kRgba:
-        case BaseFormat::kDepth:
-            break;
-    }
-    return {0, 1, 2, 3};
-}
-
+// Groups to texels as sampling sees them.
 template <typename T>
-void spread(Channels channels, T one, const T* source, int count, T* destination) {
-    T pixel[6] = {};
-    pixel[kOne] = one;
-    for (int i = 0; i < count; ++i, source += 4, destination += 4) {
-        for (size_t c = 0; c < 4; ++c) pixel[c] = source[c];
-        for (size_t c = 0; c < 4; ++c) destination[c] = pixel[channels[c]];
+void groups_to_texels(BaseFormat base, T one, const T* rgba, int count, T* texels) {
+    switch (base) {
+        case BaseFormat::kAlpha:
+            return spread<4, Channels{kZero, kZero, kZero, 3}>(rgba, one, count, texels);
+        case BaseFormat::kLuminance:
+            return spread<4, Channels{0, 0, 0, kOne}>(rgba, one, count, texels);
+        case BaseFormat::kLuminanceAlpha:
+            return spread<4, Channels{0, 0, 0, 3}>(rgba, one, count, texels);
+        case BaseFormat::kIntensity:
+            return spread<4, Channels{0, 0, 0, 0}>(rgba, one, count, texels);
+        case BaseFormat::kRgb:
+            return spread<4, Channels{0, 1, 2, kOne}>(rgba, one, count, texels);
+        case BaseFormat::kRgba:
+        case BaseFormat::kDepth:
+            std::copy_n(rgba, 4 * count, texels);
     }
 }
 
-// Converts the channels that the format keeps; the others are not looked at when the texel is spread.
-template <typename T, typename U, typename Convert>
-void convert_channels(const TexelFormat& format, const T* rgba, int count, U* converted, Convert convert) {
-    for (int i = 0; i < 4 * count; ++i) {
-        const unsigned bits = format.bits[i & 3];
-        converted[i] = bits == 0 ? U{0} : static_cast<U>(convert(rgba[i], bits));
+// GL 1.5 table 6.1.
+template <typename T>
+void texels_to_groups(BaseFormat base, T one, const T* texels, int count, T* rgba) {
+    switch (base) {
+        case BaseFormat::kLuminance:
+        case BaseFormat::kIntensity:
+            return spread<4, Channels{0, kZero, kZero, kOne}>(texels, one, count, rgba);
+        case BaseFormat::kLuminanceAlpha:
+            return spread<4, Channels{0, kZero, kZero, 3}>(texels, one, count, rgba);
+        case BaseFormat::kAlpha:
+        case BaseFormat::kRgb:
+        case BaseFormat::kRgba:
+        case BaseFormat::kDepth:
+            std::copy_n(texels, 4 * count, rgba);
     }
 }
 
 bool keeps_all_bits(const TexelFormat& format) {
-    for (unsigned char bits : format.bits) {
-        if (bits != 0 && bits != 8) return false;
-    }
-    return true;
+    return std::all_of(format.bits.begin(), format.bits.end(),
+                       [](unsigned char bits) { return bits == 0 || bits == 8; });
 }
 
+// What integers of a format's sizes are multiplied and divided by.
+struct Scales {
+    explicit Scales(const TexelFormat& format) {
+        for (size_t c = 0; c < 4; ++c) {
+            maximum[c] = static_cast<float>((1u << format.bits[c]) - 1);
+            reciprocal[c] = format.bits[c] == 0 ? 0.0f : 1.0f / maximum[c];
+        }
+    }
+    float maximum[4], reciprocal[4];
+};
+
 // A float texel is the integer that a texture of this format holds, divided by the largest.
-float float_texel(unsigned integer, unsigned bits) {
-    return static_cast<float>(integer) * (1.0f / static_cast<float>((1u << bits) - 1));
+void quantize(const TexelFormat& format, const float* __restrict rgba, int count,
+              float* __restrict quantized) {
+    const Scales scales(format);
+    for (int i = 0; i < 4 * count; i += 4) {
+        for (int c = 0; c < 4; ++c) {
+            const int integer = round_to_int(clamp_to_unit(rgba[i + c]) * scales.maximum[c]);
+            quantized[i + c] = static_cast<float>(integer) * scales.reciprocal[c];
+        }
+    }
+}
+
+void widen(const TexelFormat& format, const uint8_t* __restrict rgba, int count, float* __restrict texels) {
+    const Scales scales(format);
+    for (int i = 0; i < 4 * count; ++i) {
+        const unsigned bits = format.bits[i & 3];
+        texels[i] =
+            static_cast<float>(bits == 0 ? 0 : resize_unorm(rgba[i], 8, bits)) * scales.reciprocal[i & 3];
+    }
+}
+
+void quantize(const TexelFormat& format, const uint8_t* __restrict rgba, int count,
+              uint8_t* __restrict quantized) {
+    const QuantizeTable &red = kQuantize[format.bits[0]], &green = kQuantize[format.bits[1]];
+    const QuantizeTable &blue = kQuantize[format.bits[2]], &alpha = kQuantize[format.bits[3]];
+    for (int i = 0; i < 4 * count; i += 4) {
+        quantized[i] = red[rgba[i]];
+        quantized[i + 1] = green[rgba[i + 1]];
+        quantized[i + 2] = blue[rgba[i + 2]];
+        quantized[i + 3] = alpha[rgba[i + 3]];
+    }
 }
 
 }  // namespace
 
+bool stores_groups(const TexelFormat& texel, GLenum format, GLenum type) {
+    if (texel.storage != TexelStorage::kRgba8) return false;
+    if (format == GL_BGR) format = GL_RGB;
+    if (format == GL_BGRA || format == GL_ABGR_EXT) format = GL_RGBA;
+    if (format != texel.base) return false;
+    const PackedType* packed = find_packed_type(type);
+    return keeps_all_bits(texel) ||
+           (packed && std::equal(packed->bits, packed->bits + packed->components, texel.bits.begin()));
+}
+
 void store_texels(const TexelFormat& format, const uint8_t* rgba, int count, TextureImage& image, int x,
                   int y) {
-    const Channels channels = stored_channels(format.base_format);
     if (image.storage == TexelStorage::kRgba32F) {
         float texels[4 * kPixelChunk];
-        convert_channels(format, rgba, count, texels, [](unsigned value, unsigned bits) {
-            return float_texel(resize_unorm(value, 8, bits), bits);
-        });
-        spread(channels, 1.0f, texels, count, image.rgba32f(x, y));
-        return;
+        widen(format, rgba, count, texels);
+        return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y));
     }
-    uint8_t* texels = image.rgba8(x, y);
-    if (!keeps_all_bits(format)) {
-        uint8_t quantized[4 * kPixelChunk];
-        convert_channels(format, rgba, count, quantized,
-                         [](unsigned value, unsigned bits) { return kQuantize[bits][value]; });
-        spread<uint8_t>(channels, 255, quantized, count, texels);
-    } else if (format.base_format == BaseFormat::kRgba) {
-        std::memcpy(texels, rgba, static_cast<size_t>(count) * 4);
-    } else {
-        spread<uint8_t>(channels, 255, rgba, count, texels);
+    if (keeps_all_bits(format)) {
+        return groups_to_texels<uint8_t>(format.base_format, 255, rgba, count, image.rgba8(x, y));
     }
+    uint8_t quantized[4 * kPixelChunk];
+    quantize(format, rgba, count, quantized);
+    groups_to_texels<uint8_t>(format.base_format, 255, quantized, count, image.rgba8(x, y));
 }
 
 void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
                   TextureImage& image, int x, int y) {
-    const Channels channels = stored_channels(format.base_format);
     if (image.storage == TexelStorage::kRgba32F) {
         float texels[4 * kPixelChunk];
-        convert_channels(format, rgba, count, texels, [](float value, unsigned bits) {
-            return float_texel(unorm_from_float(value, bits), bits);
-        });
-        spread(channels, 1.0f, texels, count, image.rgba32f(x, y));
-        return;
+        quantize(format, rgba, count, texels);
+        return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y));
     }
     uint8_t bytes[4 * kPixelChunk];
-    if (rounding == Rounding::kThroughBytes) {
-        for (int i = 0; i < 4 * count; ++i) bytes[i] = static_cast<uint8_t>(unorm_from_float(rgba[i], 8));
+    if (rounding == Rounding::kThroughBytes || keeps_all_bits(format)) {
+        bytes_from_floats(rgba, 4 * count, bytes);
         return store_texels(format, bytes, count, image, x, y);
     }
-    convert_channels(format, rgba, count, bytes, [](float value, unsigned bits) {
-        return resize_unorm(unorm_from_float(value, bits), bits, 8);
-    });
-    spread<uint8_t>(channels, 255, bytes, count, image.rgba8(x, y));
+    for (int i = 0; i < 4 * count; ++i) {
+        const unsigned bits = format.bits[i & 3];
+        const unsigned value = bits == 0 ? 0 : resize_unorm(unorm_from_float(rgba[i], bits), bits, 8);
+        bytes[i] = static_cast<uint8_t>(value);
+    }
+    groups_to_texels<uint8_t>(format.base_format, 255, bytes, count, image.rgba8(x, y));
 }
 
 void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int count,
                  uint8_t* rgba) {
-    spread<uint8_t>(loaded_channels(format.base_format), 255, image.rgba8(x, y), count, rgba);
+    texels_to_groups<uint8_t>(format.base_format, 255, image.rgba8(x, y), count, rgba);
 }
 
 void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int count, float* rgba) {
-    const Channels channels = loaded_channels(format.base_format);
     if (image.storage == TexelStorage::kRgba32F) {
-        spread(channels, 1.0f, image.rgba32f(x, y), count, rgba);
-        return;
+        return texels_to_groups(format.base_format, 1.0f, image.rgba32f(x, y), count, rgba);
     }
     float texels[4 * kPixelChunk];
     const uint8_t* stored = image.rgba8(x, y);
-    convert_channels(format, stored, count, texels,
-                     [](unsigned value, unsigned bits) { return float_texel(value >> (8 - bits), bits); });
-    // Channels that the format lacks are constants, which `spread` must take from what is stored.
     for (int i = 0; i < 4 * count; ++i) {
-        if (format.bits[i & 3] == 0) texels[i] = stored[i] == 0 ? 0.0f : 1.0f;
+        // Channels that the format lacks hold 0 or 255, which is 0 or 1 in any number of bits.
+        const unsigned bits = format.bits[i & 3] == 0 ? 1 : format.bits[i & 3];
+        texels[i] =
+            static_cast<float>(stored[i] >> (8 - bits)) * (1.0f / static_cast<float>((1u << bits) - 1));
     }
-    spread(channels, 1.0f, texels, count, rgba);
+    texels_to_groups(format.base_format, 1.0f, texels, count, rgba);
 }
 
 }  // namespace terrazzo::gl

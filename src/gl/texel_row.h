@@ -12,6 +12,10 @@
 
 namespace terrazzo::gl {
 
+// Whether pixels of this format and type, as R, G, B, A bytes, are texels already: nothing is left to be
+// spread or quantised.
+bool stores_groups(const TexelFormat& texel, GLenum format, GLenum type);
+
 // How floats reach a size below 8 bits. The reference rounds once what comes to it as RGBA floats and takes
 // everything else through 8 bits, which shows near the middle between two values.
 enum class Rounding { kOnce, kThroughBytes };

@@ -20,10 +20,13 @@ void copy_pixels(const PixelState& state, const ReadSource& source, GLint x, GLi
     const ReadRect read = source.clip(x, y, rect.width, rect.height);
     const GLint left = rect.x + read.skipped_columns, bottom = rect.y + read.skipped_rows;
     const bool bytes = source.has_bytes(state);
+    const bool direct = bytes && stores_groups(format, GL_RGBA, GL_UNSIGNED_BYTE);
     for (int i = 0; i < read.height; ++i) {
         for (int j = 0; j < read.width; j += kPixelChunk) {
             const int count = std::min(kPixelChunk, read.width - j);
-            if (bytes) {
+            if (direct) {
+                source.read(read.x + j, read.y + i, count, image.rgba8(left + j, bottom + i));
+            } else if (bytes) {
                 uint8_t rgba[4 * kPixelChunk];
                 source.read(read.x + j, read.y + i, count, rgba);
                 store_texels(format, rgba, count, image, left + j, bottom + i);

@@ -25,18 +25,30 @@ void specify_proxy(TextureObject& proxy, const LevelSpec& spec, const TexelForma
     level = {spec.width, spec.height, spec.border, spec.internal_format, &format, nullptr};
 }
 
+// Whether the level's image can be filled anew instead of being replaced. Then nothing is allocated and
+// nothing can fail: programs that stream pictures through glTexImage save the page faults.
+bool can_refill(Context& ctx, const TextureLevel& level, const LevelSpec& spec, const TexelFormat& format) {
+    ctx.drawing.state.fragment.reset();  // stale now, and it would count as a reference to the image
+    return level.format == &format && level.width == spec.width && level.height == spec.height &&
+           level.border == spec.border && level.image && level.image.use_count() == 1;
+}
+
 void specify_image(Context& ctx, TextureObject& object, const LevelSpec& spec, const TexelFormat& format,
                    const ClientImage& client) {
     if (!is_supported_size(spec)) return record_error(ctx, GL_INVALID_VALUE, "the size is not supported");
     if (!is_supported_memory(spec, format)) throw std::bad_alloc();
-    TextureLevel level = make_level(spec, format);
-    if (client.pixels && level.image) {
-        const LevelRect all{-spec.border, -spec.border_y(), spec.width, spec.height};
-        upload(ctx.pixels, client, format, all, *level.image);
-    }
+    const LevelRect all{-spec.border, -spec.border_y(), spec.width, spec.height};
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
-    object.levels[static_cast<size_t>(spec.level)] = std::move(level);
+    TextureLevel& level = object.levels[static_cast<size_t>(spec.level)];
+    if (client.pixels && can_refill(ctx, level, spec, format)) {
+        upload(ctx.pixels, client, format, all, *level.image);
+        level.internal_format = spec.internal_format;
+        return;
+    }
+    TextureLevel made = make_level(spec, format);
+    if (client.pixels && made.image) upload(ctx.pixels, client, format, all, *made.image);
+    level = std::move(made);
 }
 
 void tex_image(Context& ctx, GLenum target, const LevelSpec& spec, const ClientImage& client) {

@@ -99,7 +99,7 @@ void pack_texels(const PixelStore& pack, const TextureLevel& level, int x, int y
         return pack_rgba_float(format, type, pack.swap_bytes, rgba, count, destination);
     }
     // Sizes below 8 bits are reached by way of 8 bits.
-    for (int i = 0; i < 4 * count; ++i) bytes[i] = static_cast<uint8_t>(unorm_from_float(rgba[i], 8));
+    bytes_from_floats(rgba, 4 * count, bytes);
     pack_rgba8(format, type, pack.swap_bytes, bytes, count, destination);
 }
 

@@ -39,10 +39,15 @@ class RowUploader {
           m_format(format),
           m_image(image),
           m_bytes(goes_through_bytes(state, client, format)),
+          m_direct(m_bytes && stores_groups(format, client.format, client.type)),
           m_transfer(changes_colors(state)) {}
 
     void store(const uint8_t* source, int first_bit, int count, int x, int y) const {
         const bool swap_bytes = m_state.unpack.swap_bytes;
+        if (m_direct) {
+            uint8_t* texels = m_image.rgba8(x, y);
+            return unpack_rgba8(m_client.format, m_client.type, swap_bytes, source, count, texels);
+        }
         if (m_bytes) {
             uint8_t rgba[4 * kPixelChunk];
             unpack_rgba8(m_client.format, m_client.type, swap_bytes, source, count, rgba);
@@ -71,6 +76,7 @@ class RowUploader {
     const TexelFormat& m_format;
     pipeline::TextureImage& m_image;
     bool m_bytes;
+    bool m_direct;  // bytes are texels
     bool m_transfer;
 };
 
