@@ -34,6 +34,14 @@ class PixelReader {
         const auto columns = static_cast<size_t>(rect.skipped_columns);
         auto* row = static_cast<uint8_t*>(pixels) + layout.offset +
                     static_cast<size_t>(rect.skipped_rows) * layout.row_stride + columns * pixel_size;
+        if (is_verbatim()) {
+            // The lowest row of the window is the last of the target.
+            const pipeline::RowRect rows{rect.x, m_source.row(rect.y + rect.height - 1), rect.width,
+                                         rect.height};
+            const auto stride = static_cast<std::ptrdiff_t>(layout.row_stride);
+            return pipeline::read_rgba8_rect(m_source.target(), rows, row + (rect.height - 1) * stride,
+                                             -stride);
+        }
         for (int i = 0; i < rect.height; ++i, row += layout.row_stride) {
             for (int j = 0; j < rect.width; j += kPixelChunk) {
                 read_run({rect.x + j, rect.y + i, std::min(kPixelChunk, rect.width - j),
@@ -55,13 +63,16 @@ class PixelReader {
         }
     }
 
+    bool is_verbatim() const {
+        const raster::TargetFormat& format = m_source.target().format();
+        return m_format == GL_RGBA && m_type == GL_UNSIGNED_BYTE && m_source.has_bytes(m_state) &&
+               format.color == raster::ColorFormat::kRgba8 && format.has_alpha;
+    }
+
     bool is_luminance() const { return m_format == GL_LUMINANCE || m_format == GL_LUMINANCE_ALPHA; }
 
     void read_colors(const Run& run) const {
         if (m_source.has_bytes(m_state) && goes_through_bytes()) {
-            if (m_format == GL_RGBA && m_type == GL_UNSIGNED_BYTE) {
-                return m_source.read(run.x, run.y, run.count, run.destination);
-            }
             uint8_t rgba[4 * kPixelChunk];
             m_source.read(run.x, run.y, run.count, rgba);
             pack_rgba8(m_format, m_type, m_state.pack.swap_bytes, rgba, run.count, run.destination);

@@ -14,6 +14,9 @@ using raster::kTilePixels;
 using raster::kTileSize;
 using raster::Target;
 
+struct Rgba8 {
+    uint8_t components[4];
+};
 struct Rgba16 {
     uint16_t components[4];
 };
@@ -34,17 +37,31 @@ void copy_bin_row(const Pixel* plane, int x, int row, int count, Pixel* out) {
     std::copy_n(tile_row + (x + i) / kTileSize * kTilePixels, count - i, out + i);
 }
 
-// `plane(bin)` points to the bin's pixels.
+// A rectangle bin by bin: one bin fits the first-level cache, rows of a wide target do not. `plane(bin)`
+// points to the bin's pixels; a row's pixels go `stride` bytes after those of the row before it.
+template <typename Pixel, typename Plane>
+void copy_rect(Target& target, Plane plane, const RowRect& rect, Pixel* out, std::ptrdiff_t stride) {
+    for (int row = rect.row; row < rect.row + rect.height;) {
+        const int rows = std::min(rect.row + rect.height - row, kBinSize - row % kBinSize);
+        for (int x = rect.x; x < rect.x + rect.width;) {
+            const int columns = std::min(rect.x + rect.width - x, kBinSize - x % kBinSize);
+            const int index = row / kBinSize * target.bins_across() + x / kBinSize;
+            target.materialize(index);
+            const Pixel* pixels = plane(target.bin(index));
+            auto* to = reinterpret_cast<std::byte*>(out + (x - rect.x)) + (row - rect.row) * stride;
+            for (int i = 0; i < rows; ++i) {
+                copy_bin_row(pixels, x % kBinSize, row % kBinSize + i, columns,
+                             reinterpret_cast<Pixel*>(to + i * stride));
+            }
+            x += columns;
+        }
+        row += rows;
+    }
+}
+
 template <typename Pixel, typename Plane>
 void copy_row(Target& target, Plane plane, int x, int row, int count, Pixel* out) {
-    for (int done = 0; done < count;) {
-        const int column = x + done;
-        const int index = row / kBinSize * target.bins_across() + column / kBinSize;
-        const int run = std::min(count - done, kBinSize - column % kBinSize);
-        target.materialize(index);
-        copy_bin_row<Pixel>(plane(target.bin(index)), column % kBinSize, row % kBinSize, run, out + done);
-        done += run;
-    }
+    copy_rect(target, plane, {x, row, count, 1}, out, 0);
 }
 
 template <typename Pixel>
@@ -116,11 +133,13 @@ void read_color_rgba8(Target& target, int x, int row, int count, uint8_t* rgba) 
         }
         return;
     }
-    struct Rgba8 {
-        uint8_t components[4];
-    };
     copy_color(target, x, row, count, reinterpret_cast<Rgba8*>(rgba));
     if (!target.format().has_alpha) set_alpha<uint8_t>(rgba, count, 255);
+}
+
+void read_rgba8_rect(Target& target, const RowRect& rect, uint8_t* rgba, std::ptrdiff_t stride) {
+    const auto plane = [](const Bin& bin) { return reinterpret_cast<const Rgba8*>(bin.color); };
+    copy_rect(target, plane, rect, reinterpret_cast<Rgba8*>(rgba), stride);
 }
 
 void read_color_float(Target& target, int x, int row, int count, float* rgba) {

@@ -4,6 +4,7 @@
 // memory, and `count` pixels from there on lie within the target. Planes that are asked for must exist.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "raster/target.h"
@@ -18,6 +19,13 @@ constexpr bool fits_rgba8(raster::ColorFormat format) {
 // Colour as R, G, B, A; alpha is 1 where the format has none. Components of fewer than 8 bits have their bits
 // repeated.
 void read_color_rgba8(raster::Target& target, int x, int row, int count, uint8_t* rgba);
+// A rectangle of a target of kRgba8 with alpha, as it is: the row after one goes `stride` bytes further, up
+// or down.
+struct RowRect {
+    int x, row, width, height;
+};
+void read_rgba8_rect(raster::Target& target, const RowRect& rect, uint8_t* rgba, std::ptrdiff_t stride);
+
 void read_color_float(raster::Target& target, int x, int row, int count, float* rgba);
 
 // Depth as an integer of the target's depth_bits.
