@@ -1,12 +1,15 @@
 // stress-draws: the pictures of seeds as checksums, a line a seed.
 //
-// usage: stress-draws FIRST COUNT. Each seed also chooses the buffer's format and size. The instruction set
-// and the threads come from the environment: the library chooses once a process, so compare_runs.py starts
-// one for each choice.
+// usage: stress-draws FIRST COUNT [PREFIX]. With PREFIX the buffers' bytes go to the file PREFIX<seed> too:
+// colour, depth (four bytes a pixel), stencil. Each seed also chooses the buffer's format and size. The
+// instruction set and the threads come from the environment: the library chooses once a process, so
+// compare_runs.py starts one for each choice.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <string>
 
 #include "kit/offscreen.h"
 #include "random.h"
@@ -46,15 +49,22 @@ kit::ContextOptions options_of(std::uint64_t seed) {
     return options;
 }
 
-void run_seed(const kit::Library& library, std::uint64_t seed) {
+void run_seed(const kit::Library& library, std::uint64_t seed, const char* prefix) {
     const kit::ContextOptions options = options_of(seed);
     const kit::OffscreenContext context(library, options);
     stress::draw_random(library.gl, seed, options.width, options.height);
     const std::vector<GLenum> errors = context.take_errors();
     Checksum checksum;
-    checksum.add(context.colour_buffer());
-    checksum.add(context.read_depth());
-    if (options.stencil_bits != 0) checksum.add(context.read_stencil());
+    std::ofstream file;
+    if (prefix != nullptr) file.open(prefix + std::to_string(seed), std::ios::binary);
+    const auto keep = [&](const auto& values) {
+        checksum.add(values);
+        file.write(reinterpret_cast<const char*>(values.data()),
+                   static_cast<std::streamsize>(values.size() * sizeof values[0]));
+    };
+    keep(context.colour_buffer());
+    keep(context.read_depth());
+    if (options.stencil_bits != 0) keep(context.read_stencil());
     std::printf("%" PRIu64 " %016" PRIx64 "%s%s\n", seed, checksum.value(), errors.empty() ? "" : " ",
                 errors.empty() ? "" : kit::error_name(errors.front()).c_str());
 }
@@ -62,8 +72,8 @@ void run_seed(const kit::Library& library, std::uint64_t seed) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        std::fprintf(stderr, "usage: stress-draws FIRST COUNT\n");
+    if (argc != 3 && argc != 4) {
+        std::fprintf(stderr, "usage: stress-draws FIRST COUNT [PREFIX]\n");
         return 2;
     }
     std::setvbuf(stdout, nullptr, _IOLBF, 0);  // what was drawn before a crash is known
@@ -71,7 +81,8 @@ int main(int argc, char** argv) {
         const kit::Library library(TERRAZZO_OWN_LIBRARY);
         const std::uint64_t first = std::strtoull(argv[1], nullptr, 10),
                             count = std::strtoull(argv[2], nullptr, 10);
-        for (std::uint64_t seed = first; seed < first + count; ++seed) run_seed(library, seed);
+        for (std::uint64_t seed = first; seed < first + count; ++seed)
+            run_seed(library, seed, argc == 4 ? argv[3] : nullptr);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "stress-draws: %s\n", failure.what());
         return 1;
