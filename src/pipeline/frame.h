@@ -83,7 +83,7 @@ class Frame {
         uint32_t count;
         uintptr_t commands[62];
     };
-    static_assert(sizeof(Chunk) == 512);
+    static_assert(sizeof(Chunk) == 64 * sizeof(void*));
     struct BinList {
         Chunk* first = nullptr;
         Chunk* last = nullptr;

@@ -55,6 +55,6 @@ struct Primitive {
         return (bytes + 15u) & ~15u;
     }
 };
-static_assert(sizeof(Primitive) == 96);
+static_assert(sizeof(Primitive) == (sizeof(void*) == 8 ? 96 : 88));
 
 }  // namespace terrazzo::raster

@@ -77,7 +77,9 @@ struct I32x16 {
 TERRAZZO_BINARY(F32x16, operator+, Add)
 TERRAZZO_BINARY(F32x16, operator-, Sub)
 TERRAZZO_BINARY(F32x16, operator*, Mul)
+#if !HWY_ARCH_ARM_V7 || HWY_TARGET == HWY_SCALAR
 TERRAZZO_BINARY(F32x16, operator/, Div)
+#endif
 TERRAZZO_BINARY(I32x16, operator+, Add)
 TERRAZZO_BINARY(I32x16, operator-, Sub)
 TERRAZZO_BINARY(I32x16, operator*, Mul)
@@ -150,7 +152,9 @@ TERRAZZO_INLINE I32x16 clamp(I32x16 v, I32x16 low, I32x16 high) {
     }
 TERRAZZO_UNARY_F(operator-, Neg)
 TERRAZZO_UNARY_F(abs, Abs)
+#if !HWY_ARCH_ARM_V7 || HWY_TARGET == HWY_SCALAR
 TERRAZZO_UNARY_F(sqrt, Sqrt)
+#endif
 #undef TERRAZZO_UNARY_F
 
 TERRAZZO_INLINE F32x16 floor(F32x16 a) {
@@ -235,6 +239,22 @@ TERRAZZO_INLINE void store_masked(Mask16 mask, I32x16 v, uint32_t* to) {
     TERRAZZO_FOR_PARTS hn::BlendedStore(v.part[p], hn::RebindMask(TagI(), mask.part[p]), TagI(),
                                         out + p * kNativeLanes);
 }
+
+#if HWY_ARCH_ARM_V7 && HWY_TARGET != HWY_SCALAR
+// ARMv7's vectors only estimate quotients and roots; its scalar unit rounds them as everybody does.
+TERRAZZO_INLINE F32x16 operator/(F32x16 a, F32x16 b) {
+    alignas(64) float x[16], y[16];
+    store(a, x), store(b, y);
+    for (int i = 0; i < 16; ++i) x[i] /= y[i];
+    return load(x);
+}
+TERRAZZO_INLINE F32x16 sqrt(F32x16 a) {
+    alignas(64) float x[16];
+    store(a, x);
+    for (float& value : x) value = __builtin_sqrtf(value);
+    return load(x);
+}
+#endif
 
 // base[index] a lane, index in elements.
 TERRAZZO_INLINE F32x16 gather(const float* base, I32x16 index) {

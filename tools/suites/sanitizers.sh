@@ -1,7 +1,9 @@
 # The tests of memory and threads in sanitized builds: address and undefined behaviour together, then threads.
 # usage: sanitizers.sh FILE, which gets the build folders' names.
 set -u
+. tools/packages.sh
 . tools/build.sh
+need_packages build tests
 
 # The programs load two GL libraries and leave the C++ runtime's own caches behind; leaks are valgrind's matter.
 export ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:detect_stack_use_after_return=1
@@ -14,10 +16,10 @@ sanitized() {
     shift 2
     for suite in "$@"; do suites+=(--suite "$suite"); done
     # Optimised, or the ISA's always-inlined layers take minutes; sanitized objects refer to symbols of the runtime.
-    configure_in "$folder" -Dbuildtype=debugoptimized -Db_ndebug=false -Db_sanitize="$sanitizers" -Db_lundef=false || return 1
+    configure_in "$folder" -Dbuildtype=debugoptimized -Db_ndebug=false -Db_sanitize="$sanitizers" -Db_lundef=false -Dprograms=false || return 1
     rm -f "$folder"/meson-logs/testlog.*
     # Address space layout at its most random leaves no room where the sanitizers of gcc 12 want theirs.
-    setarch -R meson test -C "$folder" --print-errorlogs --timeout-multiplier 10 "${suites[@]}"
+    setarch "$(uname -m)" -R meson test -C "$folder" --print-errorlogs --timeout-multiplier 10 "${suites[@]}"
 }
 
 status=0
