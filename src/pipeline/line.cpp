@@ -132,9 +132,11 @@ void PrimitiveSetup::line(int a, int b) {
     const float* const oow = m_vertices.column(kWindowOow);
     plane(0, m_vertices.column(kWindowZ)[a], m_vertices.column(kWindowZ)[b]);
     plane(1, oow[a], oow[b]);
-    for (int i = 0; i < primitive->plane_count - 2; ++i) {
+    const raster::Varyings& varyings = m_state.vertex.varyings;
+    for (int i = 0; i < varyings.count; ++i) {
         const float* const column = m_vertices.column(kFirstVarying + i);
-        plane(2 + i, column[a] * oow[a], column[b] * oow[b]);
+        const int first = m_state.raster.flat && varyings.is_color(i) ? b : a;  // the last vertex provokes
+        plane(2 + i, column[first] * oow[a], column[b] * oow[b]);
     }
     m_frame.add(*primitive);
 }
