@@ -409,7 +409,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
                   : shows_texel(state)                                   ? raster::TextureKind::kBilinearRgba8
                                        : raster::TextureKind::kModulateBilinearRgba8;
     state.varyings = lay_out_varyings(key, used, projective);
-    block->complete();
+    block->complete(ctx.rasterization.line.smooth, ctx.rasterization.point.smooth);
     draw.vertex.varyings = state.varyings;
     draw.fragment = std::move(block);
 }

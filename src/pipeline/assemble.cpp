@@ -118,7 +118,8 @@ PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, S
       m_setup(frame, vertices, state),
       m_stages(m_setup, vertices, state, column_count(state.vertex), stipple_counter),
       m_clipper(state.vertex, vertices, column_count(state.vertex), state.raster.flat) {
-    vertices.reserve(column_count(state.vertex));
+    // Smooth shapes put four columns behind the front colours' (smooth.cpp).
+    vertices.reserve(std::max(column_count(state.vertex), kFirstVarying + state.vertex.varyings.count + 4));
 }
 
 void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/snap.h"
+
 namespace terrazzo::pipeline {
 
 namespace {
@@ -12,10 +14,6 @@ namespace {
 // In the order of the outcode's bits.
 constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
                                  {0, 1, 0, 1},  {0, 0, 1, 1}, {0, 0, -1, 1}};
-
-int32_t snap(float window) {
-    return static_cast<int32_t>(std::lrintf(std::clamp((window - 0.5f) * 256.0f, -8388608.0f, 8388608.0f)));
-}
 
 }  // namespace
 
@@ -39,8 +37,8 @@ int Clipper::interpolate(float t, int from, int to, int& slot) {
         m_vertices.column(kWindowX + axis)[made] =
             clip[axis] * oow * m_state.viewport_scale[axis] + m_state.viewport_translate[axis];
     m_vertices.column(kWindowOow)[made] = oow;
-    m_vertices.integers(kSnappedX)[made] = snap(m_vertices.column(kWindowX)[made]);
-    m_vertices.integers(kSnappedY)[made] = snap(m_vertices.column(kWindowY)[made]);
+    m_vertices.integers(kSnappedX)[made] = snap_even(m_vertices.column(kWindowX)[made]);
+    m_vertices.integers(kSnappedY)[made] = snap_even(m_vertices.column(kWindowY)[made]);
     m_vertices.integers(kOutcode)[made] = 0;
     for (int column = kFirstVarying; column < m_columns; ++column) lerp(column);
     return made;

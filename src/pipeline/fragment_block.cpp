@@ -5,18 +5,28 @@
 
 namespace terrazzo::pipeline {
 
-void FragmentBlock::complete() {
+namespace {
+
+// The state of fragments that carry coverage as well.
+void add_coverage(raster::FragmentState& state, raster::Coverage coverage) {
+    state.key.coverage = coverage;
+    state.varyings.coverage = static_cast<int8_t>(state.varyings.count);
+    state.varyings.count = static_cast<uint8_t>(state.varyings.count + 4);
+}
+
+}  // namespace
+
+void FragmentBlock::complete(bool smooth_lines, bool smooth_points) {
     fill.textures = stages.data();
     fill.texture_count = static_cast<uint8_t>(stages.size());
     fill.polygon_stipple = polygon_stipple.data();
-    const auto& select_kernel = raster::kernels().select_kernel;
-    fill.kernel = select_kernel(fill.key);
     line = fill;
-    if (line.key.polygon_stipple) {
-        line.key.polygon_stipple = false;
-        line.kernel = select_kernel(line.key);
-    }
+    line.key.polygon_stipple = false;
     point = line;
+    if (smooth_lines) add_coverage(line, raster::Coverage::kLine);
+    if (smooth_points) add_coverage(point, raster::Coverage::kPoint);
+    for (raster::FragmentState* const state : {&fill, &line, &point})
+        state->kernel = raster::kernels().select_kernel(state->key);
 }
 
 }  // namespace terrazzo::pipeline

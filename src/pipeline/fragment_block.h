@@ -23,7 +23,7 @@ struct FragmentBlock {
 
     // Makes the others from `fill`, ties the pointers and chooses the kernels; called once when everything is
     // filled in.
-    void complete();
+    void complete(bool smooth_lines, bool smooth_points);
 };
 
 }  // namespace terrazzo::pipeline

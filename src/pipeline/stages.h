@@ -11,6 +11,7 @@
 
 #include "pipeline/primitive_setup.h"
 #include "pipeline/shaded_vertices.h"
+#include "pipeline/smooth.h"
 
 namespace terrazzo::pipeline {
 
@@ -36,7 +37,7 @@ class PrimitiveStages {
     static constexpr int kCopySlots = 3 * (PrimitiveSetup::kBatchTriangles + 1);
     static constexpr int kFirstCopy = ShadedVertices::kFirstStageSlot;
     static constexpr int kFirstSegment = kFirstCopy + kCopySlots;
-    static_assert(kFirstSegment + 2 <= ShadedVertices::kCapacity);
+    static_assert(kFirstSegment + 2 <= SmoothShapes::kFirstSlot);
 
     int copy_vertex(int from, int to);
 
@@ -54,7 +55,7 @@ class PrimitiveStages {
     // line_stipple.cpp
     void stippled_line(int a, int b);
     void segment(int a, int b, float t0, float t1);
-    void solid_line(int a, int b) { m_setup.line(a, b); }
+    void solid_line(int a, int b) { m_state.raster.line_smooth ? m_smooth.line(a, b) : m_setup.line(a, b); }
 
     PrimitiveSetup& m_setup;
     ShadedVertices& m_vertices;
@@ -64,6 +65,7 @@ class PrimitiveStages {
     const bool m_two_sided;
     const bool m_offsets;
     bool m_takes_triangles;
+    SmoothShapes m_smooth;
     TriangleSetup m_filled;  // rules of filled polygons whose facing and offset are done with
     int m_next_copy = 0;
 };

@@ -30,6 +30,7 @@ PrimitiveStages::PrimitiveStages(PrimitiveSetup& setup, ShadedVertices& vertices
       m_stipple_counter(stipple_counter),
       m_two_sided(state.vertex.lighting.enabled && state.vertex.lighting.two_sided),
       m_offsets(state.raster.offset_fill || state.raster.offset_line || state.raster.offset_point),
+      m_smooth(setup, vertices, state, columns),
       m_filled(triangle_setup(state)) {
     const RasterState& r = state.raster;
     const bool unfilled = r.fill[0] != FillMode::kFill || r.fill[1] != FillMode::kFill;
@@ -134,6 +135,7 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
 
 void PrimitiveStages::point(int v) {
     m_stipple_counter = 0;
+    if (m_state.raster.point_smooth) return m_smooth.point(v);
     m_setup.point(v);
 }
 

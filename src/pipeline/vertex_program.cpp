@@ -33,8 +33,8 @@ I32x16 outcode(const VertexState& state, const Wide4& clip) {
 }
 
 I32x16 snap(F32x16 window) {
-    // Far outside the target only the sign matters: such vertices are clipped or dropped.
-    const F32x16 limit(8388608.0f);
+    // No window reaches that far (snap.h): what is not a number, or divided by zero, goes there.
+    const F32x16 limit(16777216.0f);
     return round_to_int(clamp((window - F32x16(0.5f)) * F32x16(256.0f), -limit, limit));
 }
 

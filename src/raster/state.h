@@ -125,6 +125,9 @@ enum class BlendKind : uint8_t {
     kAdditive,  // ONE, ONE
 };
 
+// Smooth lines and points carry coverage varyings that multiply alpha: pixel/coverage.h.
+enum class Coverage : uint8_t { kNone, kLine, kPoint };
+
 // Every choice that selects code. A structural type, so that a constant one can be a template argument.
 struct FragmentKey {
     ColorFormat color_format = ColorFormat::kRgba8;
@@ -139,6 +142,7 @@ struct FragmentKey {
     BlendKind blend = BlendKind::kNone;
     bool logic_op = false;
     bool polygon_stipple = false;
+    Coverage coverage = Coverage::kNone;
     bool perspective = true;         // some 1/w of the draw is not 1
     bool interpolated_color = true;  // otherwise FragmentState::constant_color
     bool separate_specular = false;  // a secondary colour is added after texturing
@@ -160,6 +164,7 @@ struct Varyings {
     int8_t fog = -1;                                 // 1 plane: the distance
     std::array<int8_t, kMaxTextureUnits> texture{};  // 2 planes s t, or 4 planes s t r q
     uint8_t projective = 0;                          // bit u: unit u has 4 planes and divides by q
+    int8_t coverage = -1;                            // 4 planes, only of smooth lines and points
     uint8_t count = 0;                               // planes in all, without z and 1/w
 
     constexpr Varyings() { texture.fill(-1); }
@@ -172,7 +177,7 @@ struct Varyings {
 };
 
 // z, 1/w, and all varyings there can be.
-inline constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kMaxTextureUnits;
+inline constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kMaxTextureUnits + 4;
 
 struct FragmentState;
 struct Primitive;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "gl/sine.h"
+#include "pipeline/trigonometry.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "raster/half_space.h"
 #include "raster/pixel/combine.h"
+#include "raster/pixel/coverage.h"
 #include "raster/pixel/depth_stencil.h"
 #include "raster/pixel/fog_alpha.h"
 #include "raster/pixel/interpolate.h"
@@ -77,7 +78,7 @@ TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpo
 
 template <class Key>
 TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const Interpolator& at,
-                                     uint32_t mask) {
+                                     uint32_t& mask) {
     const FragmentKey& k = key.value;
     const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
     Color color = primary_color(key, state, at, w);
@@ -90,6 +91,7 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
         color.b = color.b + at.varying(first + 2) * w;
     }
     if (k.fog != FogMode::kNone) apply_fog(k.fog, state, at.varying(state.varyings.fog) * w, color);
+    if (k.coverage != Coverage::kNone) mask = apply_coverage(k.coverage, state, at, w, color.a, mask);
     return color;
 }
 
@@ -98,8 +100,8 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
                                  const TileList& list) {
     const FragmentKey& k = key.value;
     Interpolator at(primitive);
-    // Without an alpha test nothing between coverage and the depth test can discard, so the test comes first.
-    const bool early = k.alpha_func == Compare::kAlways;
+    // Where nothing that comes before the depth test can discard a fragment, the test comes first.
+    const bool early = k.alpha_func == Compare::kAlways && k.coverage != Coverage::kPoint;
     for (int i = 0; i < list.count; ++i) {
         const int tile = list.entries[i].tile;
         uint32_t mask = list.entries[i].mask;

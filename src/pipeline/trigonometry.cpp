@@ -2,15 +2,17 @@
 // routines, which glibc took over (math/sincosf.h there), with the fused operations of glibc's FMA variant.
 // A correctly rounded function would not do: the polynomials are good to 0.56 units in the last place, so
 // their rare wrong roundings are part of the result. std::fma is exact on every machine, in hardware or not.
+// The arc tangent is in single precision, by the method of fdlibm (e_atan2f, s_atanf), which glibc kept: its
+// error reaches most of a unit, so the order of operations matters here too.
 
-#include "gl/sine.h"
+#include "pipeline/trigonometry.h"
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-namespace terrazzo::gl {
+namespace terrazzo::pipeline {
 
 namespace {
 
@@ -77,6 +79,34 @@ bool tiny(float radians) {
     return std::fabs(radians) < 0x1p-12f;
 }
 
+// atan(x) for x >= 0: from the nearest of the angles atan(0), atan(1/2), atan(1), atan(3/2), atan(infinity).
+float arc_tangent_of_ratio(float x) {
+    constexpr float kAngle[4] = {0x1.dac670p-2f, 0x1.921fb4p-1f, 0x1.f730bcp-1f, 0x1.921fb4p0f};
+    constexpr float kAngleRest[4] = {0x1.586ed2p-28f, 0x1.4442d0p-25f, 0x1.281f68p-25f, 0x1.4442d0p-24f};
+    constexpr float kSeries[11] = {0x1.555556p-2f, -0x1.99999ap-3f, 0x1.24924ap-3f, -0x1.c71c70p-4f,
+                                   0x1.745cdcp-4f, -0x1.3b0f2ap-4f, 0x1.10d66ap-4f, -0x1.dde2d6p-5f,
+                                   0x1.97b4b2p-5f, -0x1.2b4442p-5f, 0x1.0ad3aep-6f};
+    if (x >= 0x1p25f) return kAngle[3] + kAngleRest[3];
+    if (x < 0x1p-29f) return x;
+    int nearest = -1;
+    if (x >= 2.4375f) {
+        nearest = 3, x = -1.0f / x;
+    } else if (x >= 1.1875f) {
+        nearest = 2, x = (x - 1.5f) / (1.0f + 1.5f * x);
+    } else if (x >= 0.6875f) {
+        nearest = 1, x = (x - 1.0f) / (x + 1.0f);
+    } else if (x >= 0.4375f) {
+        nearest = 0, x = (2.0f * x - 1.0f) / (2.0f + x);
+    }
+    const float x2 = x * x, x4 = x2 * x2;
+    float even = kSeries[10], odd = kSeries[9];
+    for (int i = 8; i >= 0; i -= 2) even = kSeries[i] + x4 * even;
+    for (int i = 7; i >= 1; i -= 2) odd = kSeries[i] + x4 * odd;
+    const float series = x * (x2 * even + x4 * odd);
+    if (nearest < 0) return x - series;
+    return kAngle[nearest] - ((series - kAngleRest[nearest]) - x);
+}
+
 }  // namespace
 
 float sine(float radians) {
@@ -92,4 +122,23 @@ float cosine(float radians) {
     return quadrant_sine(r);
 }
 
-}  // namespace terrazzo::gl
+float arc_tangent(float y, float x) {
+    constexpr float kPi = 0x1.921fb6p1f, kPiRest = -0x1.777a5cp-24f;  // their sum is pi to 48 bits
+    constexpr float kHalfPi = 0x1.921fb6p0f;
+    const bool below = std::signbit(y), left = std::signbit(x);
+    if (y == 0) return left ? (below ? -kPi : kPi) : y;
+    if (x == 0) return below ? -kHalfPi : kHalfPi;
+    const int scale = std::ilogb(y) - std::ilogb(x);
+    float angle;
+    if (scale > 60) {
+        angle = kHalfPi + 0.5f * kPiRest;
+    } else if (left && scale < -60) {
+        angle = 0;
+    } else {
+        angle = arc_tangent_of_ratio(std::fabs(y / x));
+    }
+    if (left) return below ? (angle - kPiRest) - kPi : kPi - (angle - kPiRest);
+    return below ? -angle : angle;
+}
+
+}  // namespace terrazzo::pipeline
