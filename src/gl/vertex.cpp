@@ -15,9 +15,12 @@ namespace {
 // cache before they are drawn: 300 000 vertices with colour and normal took 28 ns each in batches of 49152,
 // 14 ns in these.
 constexpr std::uint32_t kLongBatch = 4096;
-// So long a run is drawn before it ends: of separate primitives, in whole pieces of 4096 as the reference
-// draws them (doc/reference.md §3.1), and of connected ones, where it costs more.
-constexpr std::uint32_t kLongestRun = 8192;
+// The reference draws separate primitives in pieces of so many vertices from the start of their run, and cuts
+// all quads of a piece alike (doc/reference.md §3.1).
+constexpr std::uint32_t kPiece = 4096;
+// So long a run is drawn before it ends: of separate primitives, in whole pieces, and of connected ones,
+// where it costs more.
+constexpr std::uint32_t kLongestRun = 2 * kPiece;
 constexpr std::uint32_t kLongestConnectedBatch = 49152;
 // Above this, a constant attribute that changes outside Begin and End starts a new batch instead of a stream.
 constexpr std::uint32_t kWorthKeeping = 256;
@@ -46,12 +49,12 @@ PrimitiveRun* run_to_join(VertexBatch& batch, GLenum mode, std::uint32_t first) 
     return joins ? &last : nullptr;
 }
 
-void add_run(VertexBatch& batch, GLenum mode, std::uint32_t first, std::uint32_t count) {
-    if (count == 0) return;
-    if (PrimitiveRun* last = run_to_join(batch, mode, first)) {
-        last->count += count;
+void add_run(VertexBatch& batch, const PrimitiveRun& run) {
+    if (run.count == 0) return;
+    if (PrimitiveRun* last = run_to_join(batch, run.mode, run.first)) {
+        last->count += run.count;
     } else {
-        batch.runs.push_back({mode, first, count});
+        batch.runs.push_back(run);
     }
 }
 
@@ -92,7 +95,9 @@ void draw_runs(Context& ctx) {
         input.streams[batch.streams[i]] = {bytes + 4 * sizeof(float) * (i + 1), stride,
                                            pipeline::ComponentType::kFloat32, 4, false};
     for (const PrimitiveRun& run : batch.runs)
-        draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr, true}, batch.w_is_one);
+        draw_primitives(ctx, run.mode, input,
+                        {run.first, run.count, nullptr, true, run.continues, run.is_continued},
+                        batch.w_is_one);
 }
 
 // How many of a run's vertices can be drawn now, and which of them the rest of the run needs again.
@@ -117,6 +122,20 @@ Break break_run(GLenum mode, std::uint32_t count) {
     return {count - rest, 0, rest};
 }
 
+// Draws all but what the last run, one of quads, has beyond its whole pieces: that begins the next batch.
+void draw_whole_pieces(Context& ctx) {
+    VertexBatch& batch = ctx.vertex.batch;
+    const std::uint32_t rest = batch.runs.back().count % kPiece;
+    batch.runs.back().count -= rest;
+    draw_runs(ctx);
+    batch.runs.clear();
+    const std::size_t floats = static_cast<std::size_t>(rest) * batch.stride;
+    std::copy_n(batch.next - floats, floats, batch.data.data());
+    batch.count = rest;
+    add_run(batch, {GL_QUADS, 0, rest});
+    set_layout(ctx.vertex);
+}
+
 // Draws what the open run has so far and goes on with the vertices that are needed again.
 void break_open_run(Context& ctx) {
     VertexState& vertex = ctx.vertex;
@@ -134,7 +153,8 @@ void break_open_run(Context& ctx) {
         vertex.loop_start.assign(run, run + batch.stride);
         vertex.mode = GL_LINE_STRIP;
     }
-    add_run(batch, vertex.mode, vertex.open_first, parts.drawn);
+    add_run(batch, {vertex.mode, vertex.open_first, parts.drawn, vertex.open_continues, true});
+    vertex.open_continues = true;
     draw_runs(ctx);
     batch.runs.clear();
     std::copy(kept.begin(), kept.end(), batch.data.begin());
@@ -200,6 +220,7 @@ void begin(Context& ctx, GLenum mode) {
     ctx.vertex.mode = mode;
     ctx.vertex.open_first = ctx.vertex.batch.count;
     ctx.vertex.open = true;
+    ctx.vertex.open_continues = false;
     ctx.vertex.loop_start.clear();
     set_layout(ctx.vertex);
     set_inside_begin_end(ctx, true);
@@ -221,13 +242,15 @@ void end(Context& ctx) {
         vertex.batch.next += vertex.batch.stride;
         ++vertex.batch.count;
     }
-    add_run(vertex.batch, vertex.mode, vertex.open_first, vertex.batch.count - vertex.open_first);
+    add_run(vertex.batch, {vertex.mode, vertex.open_first, vertex.batch.count - vertex.open_first,
+                           vertex.open_continues, false});
     vertex.open = false;
-    if (vertex.batch.count >= kLongBatch) flush_vertices(ctx);
+    if (vertex.batch.count < kLongBatch) return;
+    vertex.batch.runs.back().mode == GL_QUADS ? draw_whole_pieces(ctx) : flush_vertices(ctx);
 }
 
 void rectf(Context& ctx, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-    begin(ctx, GL_POLYGON);
+    begin(ctx, GL_QUADS);
     vertex4f(ctx, x1, y1, 0, 1);
     vertex4f(ctx, x2, y1, 0, 1);
     vertex4f(ctx, x2, y2, 0, 1);

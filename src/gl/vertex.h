@@ -35,6 +35,8 @@ struct CurrentAttributes {
 struct PrimitiveRun {
     GLenum mode;
     std::uint32_t first, count;
+    // Of a strip, loop or polygon that was drawn in parts: not the first one, not the last one.
+    bool continues = false, is_continued = false;
 };
 
 struct VertexBatch {
@@ -58,6 +60,7 @@ struct VertexState {
     GLenum mode = GL_POINTS;        // of the open Begin
     std::uint32_t open_first = 0;   // where its run starts
     bool open = false;              // between Begin and End
+    bool open_continues = false;    // ... and part of what it began has been drawn
     std::vector<float> loop_start;  // first vertex of a line loop whose run had to be broken
 };
 
