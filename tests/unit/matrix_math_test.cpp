@@ -308,13 +308,15 @@ TEST(MatrixMath, TransposeAndRowProduct) {
 
 TEST(Sine, EqualsGlibc) {
     for (const SineCase& c : kSines) {
-        EXPECT_EQ(std::bit_cast<std::uint32_t>(c.sine), std::bit_cast<std::uint32_t>(sine(c.radians)))
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(c.sine),
+                  std::bit_cast<std::uint32_t>(pipeline::sine(c.radians)))
             << c.radians;
-        EXPECT_EQ(std::bit_cast<std::uint32_t>(c.cosine), std::bit_cast<std::uint32_t>(cosine(c.radians)))
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(c.cosine),
+                  std::bit_cast<std::uint32_t>(pipeline::cosine(c.radians)))
             << c.radians;
     }
-    EXPECT_TRUE(std::isnan(sine(INFINITY)));
-    EXPECT_TRUE(std::isnan(cosine(NAN)));
+    EXPECT_TRUE(std::isnan(pipeline::sine(INFINITY)));
+    EXPECT_TRUE(std::isnan(pipeline::cosine(NAN)));
 }
 
 }  // namespace
