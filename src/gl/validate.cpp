@@ -8,6 +8,7 @@
 #include "gl/limits.h"
 #include "gl/share.h"
 #include "gl/translate.h"
+#include "gl/validate.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -49,14 +50,7 @@ void make_transform(Context& ctx, pipeline::VertexState& out) {
         for (int column = 0; column < 3; ++column)
             out.normal_matrix[row + 3 * column] = modelview.inverse.at(column, row);
 
-    const Matrix4& inverse = modelview.inverse;
-    const float length2 = inverse.at(2, 0) * inverse.at(2, 0) + inverse.at(2, 1) * inverse.at(2, 1) +
-                          inverse.at(2, 2) * inverse.at(2, 2);
-    out.rescale_factor = length2 < 1e-12f ? 1.0f : 1.0f / std::sqrt(length2);
     const TransformState& transform = ctx.matrix.transform;
-    out.normal_scaling = transform.normalize        ? pipeline::NormalScaling::kNormalize
-                         : transform.rescale_normal ? pipeline::NormalScaling::kRescale
-                                                    : pipeline::NormalScaling::kNone;
     out.clip_plane_mask = 0;
     for (int p = 0; p < kMaxClipPlanes; ++p) {
         const ClipPlane& plane = transform.clip_planes[static_cast<std::size_t>(p)];
@@ -65,71 +59,6 @@ void make_transform(Context& ctx, pipeline::VertexState& out) {
         transform_row(out.clip_planes[p], plane.eye_plane.data(), projection.inverse);
     }
     make_viewport(ctx, out);
-}
-
-pipeline::Light make_light(const Light& light) {
-    pipeline::Light out;
-    std::copy_n(light.eye_position.data(), 4, out.position);
-    const auto normalize = [](float* v) {
-        const float length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-        if (length2 == 0) return;
-        const float scale = 1.0f / std::sqrt(length2);
-        for (int i = 0; i < 3; ++i) v[i] *= scale;
-    };
-    if (out.position[3] == 0) {
-        normalize(out.position);
-    } else {
-        const float inverse = 1.0f / out.position[3];
-        for (int i = 0; i < 3; ++i) out.position[i] *= inverse;
-    }
-    std::copy_n(light.eye_spot_direction.data(), 3, out.direction);
-    normalize(out.direction);
-    std::copy_n(light.ambient.data(), 4, out.ambient);
-    std::copy_n(light.diffuse.data(), 4, out.diffuse);
-    std::copy_n(light.specular.data(), 4, out.specular);
-    out.attenuation[0] = light.constant_attenuation;
-    out.attenuation[1] = light.linear_attenuation;
-    out.attenuation[2] = light.quadratic_attenuation;
-    out.spot_exponent = light.spot_exponent;
-    out.spot_cos_cutoff =
-        light.spot_cutoff == 180
-            ? -1.0f
-            : std::max(0.0f, static_cast<float>(std::cos(light.spot_cutoff * M_PI / 180.0)));
-    return out;
-}
-
-pipeline::Material make_material(const Material& material) {
-    pipeline::Material out;
-    std::copy_n(material.ambient.data(), 4, out.ambient);
-    std::copy_n(material.diffuse.data(), 4, out.diffuse);
-    std::copy_n(material.specular.data(), 4, out.specular);
-    std::copy_n(material.emission.data(), 4, out.emission);
-    out.shininess = material.shininess;
-    return out;
-}
-
-void make_lighting(const Context& ctx, pipeline::Lighting& out) {
-    const LightingState& state = ctx.lighting;
-    out.enabled = state.enabled;
-    if (!state.enabled) return;
-    out.two_sided = state.model.two_side;
-    out.local_viewer = state.model.local_viewer;
-    out.separate_specular = state.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
-    std::copy_n(state.model.ambient.data(), 4, out.model_ambient);
-    out.light_count = 0;
-    for (const Light& light : state.lights)
-        if (light.enabled) out.lights[static_cast<std::size_t>(out.light_count++)] = make_light(light);
-    out.materials[0] = make_material(state.front);
-    out.materials[1] = make_material(state.back);
-    const ColorMaterial& tracking = state.color_material;
-    for (int face = 0; face < 2; ++face) {
-        const bool tracks =
-            tracking.enabled && tracking.face != static_cast<GLenum>(face == 0 ? GL_BACK : GL_FRONT);
-        const bool both = tracking.mode == GL_AMBIENT_AND_DIFFUSE;
-        out.color_material[face] = {
-            tracks && (both || tracking.mode == GL_AMBIENT), tracks && (both || tracking.mode == GL_DIFFUSE),
-            tracks && tracking.mode == GL_SPECULAR, tracks && tracking.mode == GL_EMISSION};
-    }
 }
 
 void make_raster(const Context& ctx, pipeline::RasterState& out) {
@@ -385,7 +314,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     }
     key.perspective = !(draw.vertex.affine && w_is_one);
     key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
-    key.separate_specular = ctx.lighting.enabled && draw.vertex.lighting.separate_specular;
+    key.separate_specular = ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
     const auto& color = input.constants[pipeline::kColor];
     std::transform(color.begin(), color.end(), state.constant_color, unit);
 
@@ -440,7 +369,6 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     Drawing& drawing = ctx.drawing;
     pipeline::VertexState& vertex = drawing.state.vertex;
     if (is_dirty(ctx, Dirty::kTransform) || is_dirty(ctx, Dirty::kFramebuffer)) make_transform(ctx, vertex);
-    if (is_dirty(ctx, Dirty::kLighting)) make_lighting(ctx, vertex.lighting);
     constexpr unsigned kRasterInputs =
         static_cast<unsigned>(Dirty::kRasterization) | static_cast<unsigned>(Dirty::kFragment) |
         static_cast<unsigned>(Dirty::kLighting) | static_cast<unsigned>(Dirty::kFramebuffer);
@@ -457,6 +385,7 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     drawing.w_is_one = w_is_one;
     drawing.constant_color = color;
     make_fragment(ctx, input, w_is_one);
+    make_lighting(ctx, input, vertex);
     ctx.dirty = 0;
 }
 

@@ -1,7 +1,11 @@
 // Vertex fetch: attributes of 16 vertices from client memory to lanes (GL 1.5 §2.8).
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 #include "pipeline/vertex_input.h"
 #include "simd/wide.h"
@@ -26,15 +30,21 @@ struct Wide4 {
     F32x16 x, y, z, w;
 };
 
+// Integers of vertex arrays as the reference converts them: products where GL 1.5 table 2.9 has quotients, and signed
+// ones by the rule of later versions, max(c / (2^(b-1) - 1), -1).
 template <class T>
 TERRAZZO_INLINE float component(const std::byte* from, bool normalized) {
     T value;
     std::memcpy(&value, from, sizeof value);
     if (!normalized) return static_cast<float>(value);
-    // GL 1.5 table 2.9: unsigned c / (2^b - 1), signed (2c + 1) / (2^b - 1).
-    constexpr double kRange = sizeof(T) == 1 ? 255.0 : sizeof(T) == 2 ? 65535.0 : 4294967295.0;
-    const double c = static_cast<double>(value);
-    return static_cast<float>((std::is_signed_v<T> ? 2 * c + 1 : c) / kRange);
+    if constexpr (std::is_same_v<T, uint32_t>) {
+        const float above_one = std::bit_cast<float>(0x3f800000u | value >> 9);
+        return (above_one - 1.0f) * static_cast<float>(8388608.0 / 8388607.0);
+    } else {
+        constexpr float kScale = static_cast<float>(1.0 / std::numeric_limits<T>::max());
+        const float scaled = static_cast<float>(value) * kScale;
+        return std::is_signed_v<T> ? std::max(scaled, -1.0f) : scaled;
+    }
 }
 
 template <class T>

@@ -1,8 +1,7 @@
-// The vertex program: fetch, transform, light, texgen, 16 vertices at a time, into the columns of
-// ShadedVertices.
+// The vertex program: fetch, transform, light, texgen, 16 vertices at a time, into the columns of ShadedVertices.
 //
-// Clip and window coordinates are the reference's bit for bit (doc/reference.md §2): products and sums of the
-// matrix product are rounded one by one, the viewport is one fused step.
+// Clip and window coordinates are the reference's bit for bit (doc/reference.md §2): products and sums of the matrix product
+// are rounded one by one, the viewport is one fused step.
 #include "pipeline/geometry_table.h"
 #include "pipeline/setup_triangles.h"
 #include "pipeline/texgen.h"
@@ -41,8 +40,7 @@ I32x16 snap(F32x16 window) {
 void store_position(const VertexState& state, const Wide4& clip, ShadedVertices& out, int at) {
     const F32x16 oow = F32x16(1.0f) / clip.w;
     const auto window = [&](F32x16 c, int axis) {
-        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]),
-                                         F32x16(state.viewport_translate[axis]));
+        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]), F32x16(state.viewport_translate[axis]));
     };
     const F32x16 x = window(clip.x, 0), y = window(clip.y, 1), z = window(clip.z, 2);
     store(clip.x, out.column(kClipX) + at);
@@ -59,9 +57,7 @@ void store_position(const VertexState& state, const Wide4& clip, ShadedVertices&
 }
 
 // min first: a colour that is not a number becomes 1.
-F32x16 clamp_color(F32x16 c) {
-    return max(min(c, F32x16(1.0f)), F32x16(0.0f));
-}
+F32x16 clamp_color(F32x16 c) { return max(min(c, F32x16(1.0f)), F32x16(0.0f)); }
 
 void store_color(const Wide4& c, ShadedVertices& out, int column, int at) {
     const F32x16 channels[4] = {c.x, c.y, c.z, c.w};
@@ -74,16 +70,18 @@ void store_secondary(const Wide3& c, ShadedVertices& out, int column, int at) {
 
 Wide3 transform_normal(const VertexState& state, const Wide4& n) {
     const float* const m = state.normal_matrix;
-    Wide3 out{F32x16(m[0]) * n.x + F32x16(m[3]) * n.y + F32x16(m[6]) * n.z,
-              F32x16(m[1]) * n.x + F32x16(m[4]) * n.y + F32x16(m[7]) * n.z,
-              F32x16(m[2]) * n.x + F32x16(m[5]) * n.y + F32x16(m[8]) * n.z};
+    Wide3 out{n.x, n.y, n.z};
+    if (state.eye_space) {
+        const float columns[3][3] = {{m[0], m[3], m[6]}, {m[1], m[4], m[7]}, {m[2], m[5], m[8]}};
+        out = {dot(out, wide3(columns[0])), dot(out, wide3(columns[1])), dot(out, wide3(columns[2]))};
+    }
     if (state.normal_scaling == NormalScaling::kNormalize) return normalize(out);
     if (state.normal_scaling == NormalScaling::kRescale) return scale(out, F32x16(state.rescale_factor));
     return out;
 }
 
-void store_colors(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
-                  const Wide4& eye, const Wide3& normal, ShadedVertices& out, int at) {
+void store_colors(const VertexState& state, const VertexInput& input, const ElementBatch& batch, const Wide4& eye,
+                  const Wide3& normal, ShadedVertices& out, int at) {
     const raster::Varyings& v = state.varyings;
     const Wide4 color = fetch(input, kColor, batch);
     const Lighting& lighting = state.lighting;
@@ -95,55 +93,64 @@ void store_colors(const VertexState& state, const VertexInput& input, const Elem
         }
         return;
     }
+    LitColor lit[2];
+    light_vertices(lighting, input, batch, color, {eye.x, eye.y, eye.z}, normal, lit);
     for (int face = 0; face < (lighting.two_sided ? 2 : 1); ++face) {
-        const LitColor lit =
-            light_vertices(lighting, face, input, batch, color, {eye.x, eye.y, eye.z}, normal);
         const int base = kFirstVarying + (face == 0 ? 0 : v.count);
-        store_color(lit.color, out, base + v.color, at);
-        if (v.secondary >= 0) store_secondary(lit.specular, out, base + v.secondary, at);
+        store_color(lit[face].color, out, base + v.color, at);
+        if (v.secondary >= 0) store_secondary(lit[face].specular, out, base + v.secondary, at);
     }
 }
 
-bool needs_normal(const VertexState& state) {
-    if (state.lighting.enabled) return true;
+// What of a vertex the state asks for besides its clip position.
+struct Needs {
+    bool normal, eye;
+};
+
+Needs needs_of(const VertexState& state) {
+    const Lighting& lighting = state.lighting;
+    Needs needs{lighting.enabled, state.varyings.fog >= 0 && !state.fog_from_coordinate && !state.fog_eye_z_alone};
+    if (lighting.enabled) {
+        needs.eye = needs.eye || lighting.local_viewer;
+        for (int i = 0; i < lighting.light_count; ++i)
+            needs.eye = needs.eye || lighting.lights[static_cast<size_t>(i)].positional;
+    }
     for (const TextureCoordinates& unit : state.texture) {
         if (!unit.used) continue;
-        for (const TexgenMode mode : unit.texgen)
-            if (mode >= TexgenMode::kSphereMap) return true;
+        for (const TexgenMode mode : unit.texgen) {
+            needs.normal = needs.normal || mode >= TexgenMode::kSphereMap;
+            needs.eye = needs.eye || mode >= TexgenMode::kEyeLinear;
+        }
     }
-    return false;
+    return needs;
 }
 
-bool needs_eye(const VertexState& state) {
-    if (state.lighting.enabled || (state.varyings.fog >= 0 && !state.fog_from_coordinate)) return true;
-    for (const TextureCoordinates& unit : state.texture) {
-        if (!unit.used) continue;
-        for (const TexgenMode mode : unit.texgen)
-            if (mode >= TexgenMode::kEyeLinear) return true;
-    }
-    return false;
+F32x16 fog_distance(const VertexState& state, const VertexInput& input, const ElementBatch& batch, const Wide4& position,
+                    const Wide4& eye) {
+    if (state.fog_from_coordinate) return abs(fetch(input, kFogCoordinate, batch).x);
+    if (!state.fog_eye_z_alone) return abs(eye.z);
+    const float* const m = state.modelview;
+    const float row[4] = {m[2], m[6], m[10], m[14]};
+    return abs(dot4(row, position));
 }
 
-void shade_batch(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
+void shade_batch(const VertexState& state, const Needs& needs, const VertexInput& input, const ElementBatch& batch,
                  ShadedVertices& out, int at) {
     const raster::Varyings& v = state.varyings;
     const Wide4 position = fetch(input, kPosition, batch);
     store_position(state, transform(state.mvp, position), out, at);
 
     TexgenSource source{position, position, {0.0f, 0.0f, 0.0f}};
-    if (needs_eye(state)) source.eye = transform(state.modelview, position);
-    if (needs_normal(state)) source.normal = transform_normal(state, fetch(input, kNormal, batch));
+    if (needs.eye) source.eye = transform(state.modelview, position);
+    if (needs.normal) source.normal = transform_normal(state, fetch(input, kNormal, batch));
     if (v.color >= 0) store_colors(state, input, batch, source.eye, source.normal, out, at);
     if (v.fog >= 0) {
-        const F32x16 distance =
-            state.fog_from_coordinate ? fetch(input, kFogCoordinate, batch).x : abs(source.eye.z);
-        store(distance, out.column(kFirstVarying + v.fog) + at);
+        store(fog_distance(state, input, batch, position, source.eye), out.column(kFirstVarying + v.fog) + at);
     }
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
         const int first = v.texture[static_cast<size_t>(unit)];
         if (first < 0) continue;
-        const Wide4 c = texture_coordinates(state.texture[static_cast<size_t>(unit)],
-                                            fetch(input, kTexture0 + unit, batch), source);
+        const Wide4 c = texture_coordinates(state.texture[static_cast<size_t>(unit)], fetch(input, kTexture0 + unit, batch), source);
         store(c.x, out.column(kFirstVarying + first) + at);
         store(c.y, out.column(kFirstVarying + first + 1) + at);
         if (!(v.projective >> unit & 1)) continue;
@@ -156,12 +163,12 @@ void shade_batch(const VertexState& state, const VertexInput& input, const Eleme
     }
 }
 
-void shade_vertices(const VertexState& state, const VertexInput& input, const uint32_t* elements,
-                    uint32_t first, int count, ShadedVertices& out) {
+void shade_vertices(const VertexState& state, const VertexInput& input, const uint32_t* elements, uint32_t first, int count,
+                    ShadedVertices& out) {
+    const Needs needs = needs_of(state);
     for (int at = 0; at < count; at += 16) {
-        const ElementBatch batch{elements ? elements + at : nullptr, first + static_cast<uint32_t>(at),
-                                 std::min(count - at, 16)};
-        shade_batch(state, input, batch, out, at);
+        const ElementBatch batch{elements ? elements + at : nullptr, first + static_cast<uint32_t>(at), std::min(count - at, 16)};
+        shade_batch(state, needs, input, batch, out, at);
     }
 }
 

@@ -13,17 +13,27 @@ inline constexpr int kMaxLights = 8;
 inline constexpr int kMaxClipPlanes = 6;
 using raster::kMaxTextureUnits;
 
+// The light's colour times a material's: what one light gives to one face.
+struct LitMaterial {
+    float ambient[3], diffuse[3], specular[3];
+};
+
 struct Light {
-    float position[4];   // eye coordinates; w 0: directional, xyz then of unit length
-    float direction[3];  // spot direction in eye coordinates, unit length
-    float ambient[4], diffuse[4], specular[4];
-    float attenuation[3];  // constant, linear, quadratic
-    float spot_exponent;
-    float spot_cos_cutoff;  // -1: no spot
+    bool positional = false;
+    bool spot = false;
+    bool attenuated = false;  // only positional ones are
+    float position[3];        // where it is; of a directional light the unit vector towards it
+    float half_vector[3];     // of a directional light and a viewer at infinity, of unit length
+    float direction[3];       // of a spot, of unit length
+    float attenuation[3];     // constant, linear, quadratic
+    float spot_exponent, spot_cos_cutoff;
+    float ambient[3], diffuse[3], specular[3];
+    LitMaterial lit[2];  // with the front and the back material
 };
 
 struct Material {
-    float ambient[4], diffuse[4], specular[4], emission[4];
+    float ambient[3], diffuse[4], specular[3], emission[3];
+    float scene_color[3];  // model ambient * ambient + emission
     float shininess;
 };
 
@@ -32,12 +42,14 @@ struct ColorMaterial {
     bool ambient = false, diffuse = false, specular = false, emission = false;
 };
 
+// Positions and directions of lights are in the space that lighting happens in (see VertexState::eye_space).
 struct Lighting {
     bool enabled = false;
     bool two_sided = false;
     bool local_viewer = false;
     bool separate_specular = false;
-    float model_ambient[4] = {0.2f, 0.2f, 0.2f, 1};
+    bool no_shininess = false;  // the shininess is 0 for all vertices and faces
+    float model_ambient[3] = {0.2f, 0.2f, 0.2f};
     int light_count = 0;
     std::array<Light, kMaxLights> lights;
     Material materials[2];  // front, back
@@ -59,7 +71,11 @@ enum class NormalScaling : uint8_t { kNone, kRescale, kNormalize };
 struct VertexState {
     float mvp[16];
     float modelview[16];
-    float normal_matrix[9];  // columns of the inverse transpose's upper 3x3
+    // Lighting happens in eye coordinates; otherwise in object coordinates, and normals are not transformed. The
+    // reference's choice: it moves the last bits of colours.
+    bool eye_space = true;
+    bool fog_eye_z_alone = false;  // nothing before the fog coordinate needs all of the eye position
+    float normal_matrix[9];        // columns of the inverse transpose's upper 3x3
     bool affine = false;     // the last row of mvp is 0 0 0 1
     float viewport_scale[3], viewport_translate[3];
     uint32_t clip_plane_mask = 0;               // bit p: plane p is enabled

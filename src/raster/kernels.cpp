@@ -39,8 +39,12 @@ constexpr Specialised specialise() {
 }
 
 constexpr auto kBilinear = TextureKind::kModulateBilinearRgba8;
-// The state of the study's scenes T1 to T6 and of the demo's models, with both usual depth functions.
+// The state of the study's scenes T1 to T6 and of the demo's models, with both usual depth functions. The scalar build
+// has the general kernel alone: it is there to be compared with, and one lane at a time is slow in any case.
 constexpr Specialised kSpecialised[] = {
+#if HWY_TARGET == HWY_SCALAR
+    {FragmentKey{}, general_kernel},
+#else
     specialise<hot_key(false, Compare::kLess, false, true, TextureKind::kNone)>(),
     specialise<hot_key(false, Compare::kLess, false, false, TextureKind::kNone)>(),
     specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
@@ -52,6 +56,7 @@ constexpr Specialised kSpecialised[] = {
     specialise<hot_key(true, Compare::kLessEqual, true, false, kBilinear)>(),
     specialise<hot_key(true, Compare::kLess, true, true, kBilinear)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear)>(),
+#endif
 };
 
 TileKernel select_kernel(const FragmentKey& key) {

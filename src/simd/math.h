@@ -1,50 +1,62 @@
-// Elementary functions of 16 lanes from multiplications and additions alone, so that every instruction set
-// returns the same bits. Errors are relative and were measured over the ranges fixed-function GL uses.
+// Elementary functions of 16 lanes, made of multiplications and additions so that every instruction set returns the
+// same bits: the reference's polynomials with its coefficients (doc/reference.md §2.4).
+//
+// pow_once_rounded does the reference's fused steps through double and returns its bits; vertices use it, where an
+// exponent can magnify the last bit. exp2 rounds each step and is off by at most two of the last bits: fragments use
+// it, where that is far below a colour step.
 #pragma once
 
 #include "simd/wide.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
-// 2^x, relative error below 2e-7; x is clamped to [-126, 127.9].
+// x = whole + fraction, and 2^whole. Beyond [-126.99999, 128] the result of 2^x would be 0 or infinite.
+struct PowerOfTwo {
+    F32x16 fraction, scale;
+};
+TERRAZZO_INLINE PowerOfTwo split_exponent(F32x16 x) {
+    x = max(min(x, F32x16(128.0f)), F32x16(-126.99999f));
+    const F32x16 whole = floor(x);
+    return {x - whole, as_float(shift_left<23>(truncate_to_int(whole) + I32x16(127)))};
+}
+
+inline constexpr float kExp2Odd[3] = {0.693153073200168932794f, 0.0558263180532956664775f, 0.00187757667519147912699f};
+inline constexpr float kExp2Even[3] = {1.0f, 0.240153617044375388211f, 0.00898934009049466391101f};
+
 TERRAZZO_INLINE F32x16 exp2(F32x16 x) {
-    x = clamp(x, F32x16(-126.0f), F32x16(127.9f));
-    const I32x16 whole = round_to_int(x);
-    const F32x16 f = x - to_float(whole);
-    // Taylor series of 2^f on [-1/2, 1/2]: (ln 2)^n / n!
-    F32x16 p(1.5403530e-4f);
-    p = p * f + F32x16(1.3333558e-3f);
-    p = p * f + F32x16(9.6181291e-3f);
-    p = p * f + F32x16(5.5504109e-2f);
-    p = p * f + F32x16(2.4022651e-1f);
-    p = p * f + F32x16(6.9314718e-1f);
-    p = p * f + F32x16(1.0f);
-    return p * as_float(shift_left<23>(whole + I32x16(127)));
+    const auto [f, scale] = split_exponent(x);
+    const F32x16 g = f * f;
+    const F32x16 odd = g * (g * F32x16(kExp2Odd[2]) + F32x16(kExp2Odd[1])) + F32x16(kExp2Odd[0]);
+    const F32x16 even = g * (g * F32x16(kExp2Even[2]) + F32x16(kExp2Even[1])) + F32x16(kExp2Even[0]);
+    return (odd * f + even) * scale;
 }
 
-// log2 x for finite x > 0, absolute error below 2e-7 * max(1, |log2 x|); denormal numbers count as the
-// smallest normal.
-TERRAZZO_INLINE F32x16 log2(F32x16 x) {
-    const I32x16 bits = as_int(max(x, F32x16(1.17549435e-38f)));
-    // Mantissa in [sqrt(1/2), sqrt(2)).
-    const I32x16 exponent = shift_right<23>(bits - I32x16(0x3f3504f3));
-    const F32x16 m = as_float(bits - shift_left<23>(exponent));
-    const F32x16 t = (m - F32x16(1.0f)) / (m + F32x16(1.0f));
-    const F32x16 t2 = t * t;
-    // 2 / ln 2 * (t + t^3/3 + t^5/5 + ...)
-    F32x16 p(0.32059889f);
-    p = p * t2 + F32x16(0.41219858f);
-    p = p * t2 + F32x16(0.57707802f);
-    p = p * t2 + F32x16(0.96179669f);
-    p = p * t2 + F32x16(2.8853901f);
-    return p * t + to_float(exponent);
+TERRAZZO_INLINE F32x16 exp2_once_rounded(F32x16 x) {
+    const auto [fraction, scale] = split_exponent(x);
+    const F64x16 f = to_double(fraction), g = to_double(fraction * fraction);
+    const auto step = [&](const F64x16& a, float b) { return multiply_add_once_rounded(g, a, F64x16(b)); };
+    const F64x16 odd = step(step(F64x16(kExp2Odd[2]), kExp2Odd[1]), kExp2Odd[0]);
+    const F64x16 even = step(step(F64x16(kExp2Even[2]), kExp2Even[1]), kExp2Even[0]);
+    return to_float(odd * f + even) * scale;
 }
 
-// x^y for x >= 0; 0^0 is 1.
-TERRAZZO_INLINE F32x16 pow(F32x16 x, F32x16 y) {
-    const F32x16 power = exp2(log2(x) * y);
-    const Mask16 zero = x == F32x16(0.0f);
-    return select(zero, select(y == F32x16(0.0f), F32x16(1.0f), F32x16(0.0f)), power);
+// For finite normal x > 0.
+TERRAZZO_INLINE F32x16 log2_once_rounded(F32x16 x) {
+    const I32x16 bits = as_int(x);
+    const F32x16 exponent = to_float(shift_right<23>(bits) - I32x16(127));
+    const F32x16 m = as_float((bits & I32x16(0x7fffff)) | I32x16(0x3f800000));
+    const F32x16 quotient = (m - F32x16(1.0f)) / (m + F32x16(1.0f));
+    const F32x16 square = quotient * quotient;
+    const F64x16 t = to_double(quotient), u = to_double(square), v = to_double(square * square);
+    const auto step = [&](const F64x16& a, float b) { return multiply_add_once_rounded(v, a, F64x16(b)); };
+    const F64x16 even = step(step(F64x16(0.406718052498846252698f), 0.577440339438736392009f), 2.88539009343309178325f);
+    const F64x16 odd = step(F64x16(0.403343858251329912514f), 0.961791550404184197881f);
+    return to_float(t * multiply_add_once_rounded(odd, u, even) + to_double(exponent));
+}
+
+// x^y for x >= 0. 0^y is 0, even where y is 0.
+TERRAZZO_INLINE F32x16 pow_once_rounded(F32x16 x, F32x16 y) {
+    return select(x == F32x16(0.0f), F32x16(0.0f), exp2_once_rounded(log2_once_rounded(x) * y));
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

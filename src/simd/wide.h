@@ -416,29 +416,113 @@ using TagHalfI = hn::Half<TagI>;
 using TagWide = hn::Rebind<double, TagHalfF>;
 #endif
 
-// What a fused multiply-add returns (but for one case in 2^29, where the sum in double falls half-way between
-// floats): the product is exact in double. The same on every instruction set, fused or not.
-TERRAZZO_INLINE F32x16 multiply_add_once_rounded(F32x16 a, F32x16 b, F32x16 c) {
-    F32x16 r;
-#if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
-    TERRAZZO_FOR_PARTS {
-        const auto wide = [](auto half) { return hn::PromoteTo(TagWide(), half); };
-        const auto low = hn::Add(
-            hn::Mul(wide(hn::LowerHalf(TagHalfF(), a.part[p])), wide(hn::LowerHalf(TagHalfF(), b.part[p]))),
-            wide(hn::LowerHalf(TagHalfF(), c.part[p])));
-        const auto high = hn::Add(
-            hn::Mul(wide(hn::UpperHalf(TagHalfF(), a.part[p])), wide(hn::UpperHalf(TagHalfF(), b.part[p]))),
-            wide(hn::UpperHalf(TagHalfF(), c.part[p])));
-        r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), high), hn::DemoteTo(TagHalfF(), low));
-    }
+// Sixteen doubles, for what must be more precise than a float before it is rounded to one.
+#if HWY_HAVE_FLOAT64
+#if HWY_TARGET == HWY_SCALAR
+inline constexpr int kDoubleParts = 16;
+using TagD16 = hn::CappedTag<double, 1>;
 #else
-    alignas(64) float x[16], y[16], z[16];
-    store(a, x), store(b, y), store(c, z);
-    for (int i = 0; i < 16; ++i)
-        x[i] = static_cast<float>(static_cast<double>(x[i]) * y[i] + static_cast<double>(z[i]));
-    r = load(x);
+inline constexpr int kDoubleParts = 2 * kParts;
+using TagD16 = TagWide;
 #endif
+struct F64x16 {
+    hn::Vec<TagD16> part[kDoubleParts];
+
+    F64x16() = default;
+    TERRAZZO_INLINE F64x16(double value) {
+        for (auto& p : part) p = hn::Set(TagD16(), value);
+    }
+};
+TERRAZZO_INLINE F64x16 operator+(const F64x16& a, const F64x16& b) {
+    F64x16 r;
+    for (int p = 0; p < kDoubleParts; ++p) r.part[p] = hn::Add(a.part[p], b.part[p]);
     return r;
+}
+TERRAZZO_INLINE F64x16 operator*(const F64x16& a, const F64x16& b) {
+    F64x16 r;
+    for (int p = 0; p < kDoubleParts; ++p) r.part[p] = hn::Mul(a.part[p], b.part[p]);
+    return r;
+}
+TERRAZZO_INLINE F64x16 to_double(F32x16 a) {
+    F64x16 r;
+    TERRAZZO_FOR_PARTS {
+#if HWY_TARGET == HWY_SCALAR
+        r.part[p] = hn::PromoteTo(TagD16(), a.part[p]);
+#else
+        r.part[2 * p] = hn::PromoteTo(TagD16(), hn::LowerHalf(TagHalfF(), a.part[p]));
+        r.part[2 * p + 1] = hn::PromoteTo(TagD16(), hn::UpperHalf(TagHalfF(), a.part[p]));
+#endif
+    }
+    return r;
+}
+TERRAZZO_INLINE F32x16 to_float(const F64x16& a) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS {
+#if HWY_TARGET == HWY_SCALAR
+        r.part[p] = hn::DemoteTo(TagF(), a.part[p]);
+#else
+        r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), a.part[2 * p + 1]), hn::DemoteTo(TagHalfF(), a.part[2 * p]));
+#endif
+    }
+    return r;
+}
+// Each to the nearest float, kept as a double.
+TERRAZZO_INLINE F64x16 rounded_to_float(const F64x16& a) {
+    F64x16 r;
+    for (int p = 0; p < kDoubleParts; ++p) {
+#if HWY_TARGET == HWY_SCALAR
+        r.part[p] = hn::PromoteTo(TagD16(), hn::DemoteTo(TagF(), a.part[p]));
+#else
+        r.part[p] = hn::PromoteTo(TagD16(), hn::DemoteTo(TagHalfF(), a.part[p]));
+#endif
+    }
+    return r;
+}
+#else
+struct F64x16 {
+    double part[16];
+
+    F64x16() = default;
+    TERRAZZO_INLINE F64x16(double value) {
+        for (double& p : part) p = value;
+    }
+};
+TERRAZZO_INLINE F64x16 operator+(const F64x16& a, const F64x16& b) {
+    F64x16 r;
+    for (int i = 0; i < 16; ++i) r.part[i] = a.part[i] + b.part[i];
+    return r;
+}
+TERRAZZO_INLINE F64x16 operator*(const F64x16& a, const F64x16& b) {
+    F64x16 r;
+    for (int i = 0; i < 16; ++i) r.part[i] = a.part[i] * b.part[i];
+    return r;
+}
+TERRAZZO_INLINE F64x16 to_double(F32x16 a) {
+    alignas(64) float values[16];
+    store(a, values);
+    F64x16 r;
+    for (int i = 0; i < 16; ++i) r.part[i] = values[i];
+    return r;
+}
+TERRAZZO_INLINE F32x16 to_float(const F64x16& a) {
+    alignas(64) float values[16];
+    for (int i = 0; i < 16; ++i) values[i] = static_cast<float>(a.part[i]);
+    return load(values);
+}
+TERRAZZO_INLINE F64x16 rounded_to_float(const F64x16& a) {
+    F64x16 r;
+    for (int i = 0; i < 16; ++i) r.part[i] = static_cast<float>(a.part[i]);
+    return r;
+}
+#endif
+
+// What a fused multiply-add of floats returns (but for one case in 2^29, where the sum in double falls half-way between
+// floats): the product is exact in double. The same on every instruction set, fused or not.
+TERRAZZO_INLINE F64x16 multiply_add_once_rounded(const F64x16& a, const F64x16& b, const F64x16& c) {
+    return rounded_to_float(a * b + c);
+}
+TERRAZZO_INLINE F32x16 multiply_add_once_rounded(F32x16 a, F32x16 b, F32x16 c) {
+    return to_float(to_double(a) * to_double(b) + to_double(c));
 }
 
 // a*b - c*d of integers below 2^25, with the right sign (zero included) and the precision of a float.
