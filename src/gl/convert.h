@@ -1,8 +1,8 @@
 // Conversions of arguments that the generated thunks make before they call a command's core form, and of
 // answers.
 //
-// Integers that stand for colours and normals are normalised as GL 1.5 table 2.9 says: signed (2c + 1)/(2^b -
-// 1), unsigned c/(2^b - 1); rounded as the reference rounds, so that its colours are ours to the last bit.
+// Integers that stand for colours and normals are normalised as GL 1.5 table 2.9 says, signed (2c + 1)/(2^b -
+// 1), unsigned c/(2^b - 1), with the roundings of the reference (doc/reference.md §2.1).
 #pragma once
 
 #include <GL/gl.h>
@@ -17,19 +17,18 @@
 
 namespace terrazzo::gl {
 
+// A normalised integer's value between 0 or -1 and 1.
 template <typename Integer>
 constexpr GLfloat normalised(Integer value) {
-    constexpr auto steps = std::numeric_limits<std::make_unsigned_t<Integer>>::max();
-    const GLfloat single = static_cast<GLfloat>(value);
-    if constexpr (std::is_signed_v<Integer>) {
-        return (2.0f * single + 1.0f) * (1.0f / static_cast<GLfloat>(steps));
-    } else if constexpr (sizeof(Integer) == 1) {
-        return single / static_cast<GLfloat>(steps);
-    } else if constexpr (sizeof(Integer) == 2) {
-        return single * (1.0f / static_cast<GLfloat>(steps));
-    } else {
-        return static_cast<GLfloat>(value * (1.0 / steps));
-    }
+    // Products where the specification has quotients, in the precision of the reference (doc/reference.md
+    // §2.1).
+    const GLfloat c = static_cast<GLfloat>(value);
+    if constexpr (std::is_same_v<Integer, GLubyte>) return c / 255.0f;
+    if constexpr (std::is_same_v<Integer, GLbyte>) return (2.0f * c + 1.0f) * (1.0f / 255.0f);
+    if constexpr (std::is_same_v<Integer, GLushort>) return c * (1.0f / 65535.0f);
+    if constexpr (std::is_same_v<Integer, GLshort>) return (2.0f * c + 1.0f) * (1.0f / 65535.0f);
+    if constexpr (std::is_same_v<Integer, GLuint>) return static_cast<GLfloat>(value * (1.0 / 4294967295.0));
+    return static_cast<GLfloat>((2.0f * c + 1.0f) * (1.0 / 4294967294.0));
 }
 
 // The nearest integer (GL 1.5 §6.1.2); what does not fit, and NaN as 0, is brought into range.

@@ -1,5 +1,7 @@
 // From GL state to the pipeline's: the one place where GL's terms become DrawState. Each part is remade only
 // when the state it is made from has changed.
+#include "gl/validate.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,6 @@
 #include "gl/limits.h"
 #include "gl/share.h"
 #include "gl/translate.h"
-#include "gl/validate.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -314,7 +315,8 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     }
     key.perspective = !(draw.vertex.affine && w_is_one);
     key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
-    key.separate_specular = ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    key.separate_specular =
+        ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
     const auto& color = input.constants[pipeline::kColor];
     std::transform(color.begin(), color.end(), state.constant_color, unit);
 

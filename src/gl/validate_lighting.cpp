@@ -1,5 +1,5 @@
-// Lights, materials and the scaling of normals for the vertex program: everything that is the same for all vertices
-// of a draw is worked out here, in the reference's order of operations (doc/reference.md §2.3).
+// Lights, materials and the scaling of normals for the vertex program: everything that is the same for all
+// vertices of a draw is worked out here, in the reference's order of operations (doc/reference.md §2.3).
 #include <algorithm>
 #include <cmath>
 
@@ -20,11 +20,12 @@ void normalize(float v[3]) {
 }
 
 bool is_attenuated(const Light& light) {
-    return light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
+    return light.constant_attenuation != 1 || light.linear_attenuation != 0 ||
+           light.quadratic_attenuation != 0;
 }
 
-// Whether lighting happens in eye coordinates. The reference moves the lights to object coordinates where nothing
-// asks for more, which saves it the normals' transformation and changes the last bits of colours.
+// Whether lighting happens in eye coordinates. The reference moves the lights to object coordinates where
+// nothing asks for more, which saves it the normals' transformation and changes the last bits of colours.
 bool needs_eye_space(const Context& ctx, const pipeline::VertexState& vertex) {
     for (const pipeline::TextureCoordinates& unit : vertex.texture) {
         const auto looks = [](pipeline::TexgenMode mode) { return mode >= pipeline::TexgenMode::kEyeLinear; };
@@ -42,9 +43,9 @@ void scale_normals(const Context& ctx, pipeline::VertexState& out) {
     const StackMatrix& modelview = ctx.matrix.modelview.top();
     const Matrix4& inverse = modelview.inverse;
     const TransformState& transform = ctx.matrix.transform;
-    out.normal_scaling = transform.normalize                          ? pipeline::NormalScaling::kNormalize
+    out.normal_scaling = transform.normalize                         ? pipeline::NormalScaling::kNormalize
                          : out.eye_space == transform.rescale_normal ? pipeline::NormalScaling::kRescale
-                                                                      : pipeline::NormalScaling::kNone;
+                                                                     : pipeline::NormalScaling::kNone;
     out.rescale_factor = 1;
     if (preserves_length(modelview)) return;
     const float length2 = inverse.at(2, 0) * inverse.at(2, 0) + inverse.at(2, 1) * inverse.at(2, 1) +
@@ -113,8 +114,8 @@ pipeline::Material make_material(const Material& material, const LightModel& mod
 pipeline::ColorMaterial make_color_material(const ColorMaterial& tracking, GLenum other_face) {
     if (!tracking.enabled || tracking.face == other_face) return {};
     const bool both = tracking.mode == GL_AMBIENT_AND_DIFFUSE;
-    return {both || tracking.mode == GL_AMBIENT, both || tracking.mode == GL_DIFFUSE, tracking.mode == GL_SPECULAR,
-            tracking.mode == GL_EMISSION};
+    return {both || tracking.mode == GL_AMBIENT, both || tracking.mode == GL_DIFFUSE,
+            tracking.mode == GL_SPECULAR, tracking.mode == GL_EMISSION};
 }
 
 }  // namespace
@@ -139,7 +140,8 @@ void make_lighting(const Context& ctx, const pipeline::VertexInput& input, pipel
             make_color_material(state.color_material, static_cast<GLenum>(face == 0 ? GL_BACK : GL_FRONT));
         if (face == 1 && !out.two_sided) continue;
         const int stream = face == 0 ? pipeline::kFrontShininess : pipeline::kBackShininess;
-        out.no_shininess = out.no_shininess && materials[face]->shininess == 0 && !(input.streamed & bit(stream));
+        out.no_shininess =
+            out.no_shininess && materials[face]->shininess == 0 && !(input.streamed & bit(stream));
     }
     out.light_count = 0;
     for (const Light& light : state.lights) {

@@ -30,8 +30,8 @@ struct Wide4 {
     F32x16 x, y, z, w;
 };
 
-// Integers of vertex arrays as the reference converts them: products where GL 1.5 table 2.9 has quotients, and signed
-// ones by the rule of later versions, max(c / (2^(b-1) - 1), -1).
+// Integers of vertex arrays as the reference converts them: products where GL 1.5 table 2.9 has quotients,
+// and signed ones by the rule of later versions, max(c / (2^(b-1) - 1), -1).
 template <class T>
 TERRAZZO_INLINE float component(const std::byte* from, bool normalized) {
     T value;

@@ -1,5 +1,5 @@
-// Lighting of 16 vertices (GL 1.5 §2.14), operation for operation as the reference does it (doc/reference.md §2.4): a
-// colour has the reference's bits.
+// Lighting of 16 vertices (GL 1.5 §2.14), operation for operation as the reference does it (doc/reference.md
+// §2.4): a colour has the reference's bits.
 #pragma once
 
 #include "pipeline/fetch.h"
@@ -13,15 +13,25 @@ using namespace pipeline;
 struct Wide3 {
     F32x16 x, y, z;
 };
-TERRAZZO_INLINE Wide3 wide3(const float v[3]) { return {v[0], v[1], v[2]}; }
+TERRAZZO_INLINE Wide3 wide3(const float v[3]) {
+    return {v[0], v[1], v[2]};
+}
 // Last component first, as the reference's shaders add them.
-TERRAZZO_INLINE F32x16 dot(const Wide3& a, const Wide3& b) { return a.z * b.z + a.y * b.y + a.x * b.x; }
-TERRAZZO_INLINE Wide3 scale(const Wide3& v, F32x16 f) { return {v.x * f, v.y * f, v.z * f}; }
-TERRAZZO_INLINE Wide3 normalize(const Wide3& v) { return scale(v, F32x16(1.0f) / sqrt(dot(v, v))); }
-TERRAZZO_INLINE Wide3 operator-(const Wide3& a, const Wide3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+TERRAZZO_INLINE F32x16 dot(const Wide3& a, const Wide3& b) {
+    return a.z * b.z + a.y * b.y + a.x * b.x;
+}
+TERRAZZO_INLINE Wide3 scale(const Wide3& v, F32x16 f) {
+    return {v.x * f, v.y * f, v.z * f};
+}
+TERRAZZO_INLINE Wide3 normalize(const Wide3& v) {
+    return scale(v, F32x16(1.0f) / sqrt(dot(v, v)));
+}
+TERRAZZO_INLINE Wide3 operator-(const Wide3& a, const Wide3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
-// The material of one face where it differs from vertex to vertex: what glMaterial set between Begin and End, and what
-// follows the vertex colour. Elsewhere the constants of Lighting hold.
+// The material of one face where it differs from vertex to vertex: what glMaterial set between Begin and End,
+// and what follows the vertex colour. Elsewhere the constants of Lighting hold.
 struct VaryingMaterial {
     bool has_ambient, has_diffuse, has_specular, has_emission;
     Wide4 ambient, diffuse, specular, emission;
@@ -94,14 +104,17 @@ inline LightGeometry light_geometry(const Lighting& lighting, const Light& light
     return g;
 }
 
-TERRAZZO_INLINE Wide3 product(bool varies, const Wide4& material, const float light[3], const float constant[3]) {
+TERRAZZO_INLINE Wide3 product(bool varies, const Wide4& material, const float light[3],
+                              const float constant[3]) {
     if (!varies) return wide3(constant);
     return {material.x * F32x16(light[0]), material.y * F32x16(light[1]), material.z * F32x16(light[2])};
 }
 TERRAZZO_INLINE Wide3 multiply_add(const Wide3& a, F32x16 f, const Wide3& b) {
     return {f * a.x + b.x, f * a.y + b.y, f * a.z + b.z};
 }
-TERRAZZO_INLINE bool is_black(const float c[3]) { return c[0] == 0 && c[1] == 0 && c[2] == 0; }
+TERRAZZO_INLINE bool is_black(const float c[3]) {
+    return c[0] == 0 && c[1] == 0 && c[2] == 0;
+}
 
 // Adds one light to the colours of one face, whose normal is `normal`.
 inline void add_light(const Lighting& lighting, const Light& light, const LightGeometry& g, int face,
@@ -116,7 +129,8 @@ inline void add_light(const Lighting& lighting, const Light& light, const LightG
     if (!any(faces)) return;
     F32x16 diffuse_share = max(facing, zero);
     if (g.attenuates) diffuse_share = diffuse_share * g.attenuation;
-    color = multiply_add(product(material.has_diffuse, material.diffuse, light.diffuse, lit.diffuse), diffuse_share, color);
+    color = multiply_add(product(material.has_diffuse, material.diffuse, light.diffuse, lit.diffuse),
+                         diffuse_share, color);
 
     F32x16 shine = one;
     if (lighting.no_shininess) {
@@ -132,17 +146,20 @@ inline void add_light(const Lighting& lighting, const Light& light, const LightG
     shine = select(faces, shine, zero);
     if (g.attenuates) shine = g.attenuation * shine;
     Wide3& sum = lighting.separate_specular ? specular : color;
-    sum = multiply_add(product(material.has_specular, material.specular, light.specular, lit.specular), shine, sum);
+    sum = multiply_add(product(material.has_specular, material.specular, light.specular, lit.specular), shine,
+                       sum);
 }
 
 // Light that needs no light source: model ambient and emission.
 TERRAZZO_INLINE Wide3 scene_color(const Lighting& lighting, int face, const VaryingMaterial& material) {
     const Material& m = lighting.materials[face];
     if (!material.has_ambient && !material.has_emission) return wide3(m.scene_color);
-    const Wide3 ambient =
-        material.has_ambient ? Wide3{material.ambient.x, material.ambient.y, material.ambient.z} : wide3(m.ambient);
-    const Wide3 emission =
-        material.has_emission ? Wide3{material.emission.x, material.emission.y, material.emission.z} : wide3(m.emission);
+    const Wide3 ambient = material.has_ambient
+                              ? Wide3{material.ambient.x, material.ambient.y, material.ambient.z}
+                              : wide3(m.ambient);
+    const Wide3 emission = material.has_emission
+                               ? Wide3{material.emission.x, material.emission.y, material.emission.z}
+                               : wide3(m.emission);
     const float* const model = lighting.model_ambient;
     return {F32x16(model[0]) * ambient.x + emission.x, F32x16(model[1]) * ambient.y + emission.y,
             F32x16(model[2]) * ambient.z + emission.z};
@@ -164,7 +181,8 @@ inline void light_vertices(const Lighting& lighting, const VertexInput& input, c
         const Light& light = lighting.lights[static_cast<size_t>(i)];
         const LightGeometry g = light_geometry(lighting, light, eye);
         for (int face = 0; face < faces; ++face)
-            add_light(lighting, light, g, face, materials[face], normals[face], sums[face], out[face].specular);
+            add_light(lighting, light, g, face, materials[face], normals[face], sums[face],
+                      out[face].specular);
     }
     for (int face = 0; face < faces; ++face) {
         const F32x16 alpha = materials[face].has_diffuse ? materials[face].diffuse.w

@@ -8,7 +8,9 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 using namespace pipeline;
 
 TERRAZZO_INLINE Wide4 transform(const float m[16], const Wide4& v) {
-    const auto row = [&](int r) { return F32x16(m[r]) * v.x + F32x16(m[4 + r]) * v.y + F32x16(m[8 + r]) * v.z + F32x16(m[12 + r]) * v.w; };
+    const auto row = [&](int r) {
+        return F32x16(m[r]) * v.x + F32x16(m[4 + r]) * v.y + F32x16(m[8 + r]) * v.z + F32x16(m[12 + r]) * v.w;
+    };
     return {row(0), row(1), row(2), row(3)};
 }
 
@@ -43,7 +45,8 @@ inline Reflection reflect(const TexgenSource& source, bool for_sphere) {
     return r;
 }
 
-inline Wide4 texture_coordinates(const TextureCoordinates& unit, const Wide4& given, const TexgenSource& source) {
+inline Wide4 texture_coordinates(const TextureCoordinates& unit, const Wide4& given,
+                                 const TexgenSource& source) {
     Wide4 out = given;
     bool sphere = false, reflects = false;
     for (const TexgenMode mode : unit.texgen) {
@@ -58,12 +61,23 @@ inline Wide4 texture_coordinates(const TextureCoordinates& unit, const Wide4& gi
     const F32x16 normal[4] = {source.normal.x, source.normal.y, source.normal.z, out.w};
     for (int c = 0; c < 4; ++c) {
         switch (unit.texgen[c]) {
-            case TexgenMode::kOff: break;
-            case TexgenMode::kObjectLinear: *coordinates[c] = dot4(unit.planes[c], source.object); break;
-            case TexgenMode::kEyeLinear: *coordinates[c] = dot4(unit.planes[c], source.eye); break;
-            case TexgenMode::kSphereMap: *coordinates[c] = spherical[c]; break;
-            case TexgenMode::kReflectionMap: *coordinates[c] = reflected[c]; break;
-            case TexgenMode::kNormalMap: *coordinates[c] = normal[c]; break;
+            case TexgenMode::kOff:
+                break;
+            case TexgenMode::kObjectLinear:
+                *coordinates[c] = dot4(unit.planes[c], source.object);
+                break;
+            case TexgenMode::kEyeLinear:
+                *coordinates[c] = dot4(unit.planes[c], source.eye);
+                break;
+            case TexgenMode::kSphereMap:
+                *coordinates[c] = spherical[c];
+                break;
+            case TexgenMode::kReflectionMap:
+                *coordinates[c] = reflected[c];
+                break;
+            case TexgenMode::kNormalMap:
+                *coordinates[c] = normal[c];
+                break;
         }
     }
     return unit.has_matrix ? transform(unit.matrix, out) : out;

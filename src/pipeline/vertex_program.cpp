@@ -1,7 +1,8 @@
-// The vertex program: fetch, transform, light, texgen, 16 vertices at a time, into the columns of ShadedVertices.
+// The vertex program: fetch, transform, light, texgen, 16 vertices at a time, into the columns of
+// ShadedVertices.
 //
-// Clip and window coordinates are the reference's bit for bit (doc/reference.md §2): products and sums of the matrix product
-// are rounded one by one, the viewport is one fused step.
+// Clip and window coordinates are the reference's bit for bit (doc/reference.md §2): products and sums of the
+// matrix product are rounded one by one, the viewport is one fused step.
 #include "pipeline/geometry_table.h"
 #include "pipeline/setup_triangles.h"
 #include "pipeline/texgen.h"
@@ -40,7 +41,8 @@ I32x16 snap(F32x16 window) {
 void store_position(const VertexState& state, const Wide4& clip, ShadedVertices& out, int at) {
     const F32x16 oow = F32x16(1.0f) / clip.w;
     const auto window = [&](F32x16 c, int axis) {
-        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]), F32x16(state.viewport_translate[axis]));
+        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]),
+                                         F32x16(state.viewport_translate[axis]));
     };
     const F32x16 x = window(clip.x, 0), y = window(clip.y, 1), z = window(clip.z, 2);
     store(clip.x, out.column(kClipX) + at);
@@ -57,7 +59,9 @@ void store_position(const VertexState& state, const Wide4& clip, ShadedVertices&
 }
 
 // min first: a colour that is not a number becomes 1.
-F32x16 clamp_color(F32x16 c) { return max(min(c, F32x16(1.0f)), F32x16(0.0f)); }
+F32x16 clamp_color(F32x16 c) {
+    return max(min(c, F32x16(1.0f)), F32x16(0.0f));
+}
 
 void store_color(const Wide4& c, ShadedVertices& out, int column, int at) {
     const F32x16 channels[4] = {c.x, c.y, c.z, c.w};
@@ -80,8 +84,8 @@ Wide3 transform_normal(const VertexState& state, const Wide4& n) {
     return out;
 }
 
-void store_colors(const VertexState& state, const VertexInput& input, const ElementBatch& batch, const Wide4& eye,
-                  const Wide3& normal, ShadedVertices& out, int at) {
+void store_colors(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
+                  const Wide4& eye, const Wide3& normal, ShadedVertices& out, int at) {
     const raster::Varyings& v = state.varyings;
     const Wide4 color = fetch(input, kColor, batch);
     const Lighting& lighting = state.lighting;
@@ -109,7 +113,8 @@ struct Needs {
 
 Needs needs_of(const VertexState& state) {
     const Lighting& lighting = state.lighting;
-    Needs needs{lighting.enabled, state.varyings.fog >= 0 && !state.fog_from_coordinate && !state.fog_eye_z_alone};
+    Needs needs{lighting.enabled,
+                state.varyings.fog >= 0 && !state.fog_from_coordinate && !state.fog_eye_z_alone};
     if (lighting.enabled) {
         needs.eye = needs.eye || lighting.local_viewer;
         for (int i = 0; i < lighting.light_count; ++i)
@@ -125,8 +130,8 @@ Needs needs_of(const VertexState& state) {
     return needs;
 }
 
-F32x16 fog_distance(const VertexState& state, const VertexInput& input, const ElementBatch& batch, const Wide4& position,
-                    const Wide4& eye) {
+F32x16 fog_distance(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
+                    const Wide4& position, const Wide4& eye) {
     if (state.fog_from_coordinate) return abs(fetch(input, kFogCoordinate, batch).x);
     if (!state.fog_eye_z_alone) return abs(eye.z);
     const float* const m = state.modelview;
@@ -134,8 +139,8 @@ F32x16 fog_distance(const VertexState& state, const VertexInput& input, const El
     return abs(dot4(row, position));
 }
 
-void shade_batch(const VertexState& state, const Needs& needs, const VertexInput& input, const ElementBatch& batch,
-                 ShadedVertices& out, int at) {
+void shade_batch(const VertexState& state, const Needs& needs, const VertexInput& input,
+                 const ElementBatch& batch, ShadedVertices& out, int at) {
     const raster::Varyings& v = state.varyings;
     const Wide4 position = fetch(input, kPosition, batch);
     store_position(state, transform(state.mvp, position), out, at);
@@ -145,12 +150,14 @@ void shade_batch(const VertexState& state, const Needs& needs, const VertexInput
     if (needs.normal) source.normal = transform_normal(state, fetch(input, kNormal, batch));
     if (v.color >= 0) store_colors(state, input, batch, source.eye, source.normal, out, at);
     if (v.fog >= 0) {
-        store(fog_distance(state, input, batch, position, source.eye), out.column(kFirstVarying + v.fog) + at);
+        store(fog_distance(state, input, batch, position, source.eye),
+              out.column(kFirstVarying + v.fog) + at);
     }
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
         const int first = v.texture[static_cast<size_t>(unit)];
         if (first < 0) continue;
-        const Wide4 c = texture_coordinates(state.texture[static_cast<size_t>(unit)], fetch(input, kTexture0 + unit, batch), source);
+        const Wide4 c = texture_coordinates(state.texture[static_cast<size_t>(unit)],
+                                            fetch(input, kTexture0 + unit, batch), source);
         store(c.x, out.column(kFirstVarying + first) + at);
         store(c.y, out.column(kFirstVarying + first + 1) + at);
         if (!(v.projective >> unit & 1)) continue;
@@ -163,11 +170,12 @@ void shade_batch(const VertexState& state, const Needs& needs, const VertexInput
     }
 }
 
-void shade_vertices(const VertexState& state, const VertexInput& input, const uint32_t* elements, uint32_t first, int count,
-                    ShadedVertices& out) {
+void shade_vertices(const VertexState& state, const VertexInput& input, const uint32_t* elements,
+                    uint32_t first, int count, ShadedVertices& out) {
     const Needs needs = needs_of(state);
     for (int at = 0; at < count; at += 16) {
-        const ElementBatch batch{elements ? elements + at : nullptr, first + static_cast<uint32_t>(at), std::min(count - at, 16)};
+        const ElementBatch batch{elements ? elements + at : nullptr, first + static_cast<uint32_t>(at),
+                                 std::min(count - at, 16)};
         shade_batch(state, needs, input, batch, out, at);
     }
 }

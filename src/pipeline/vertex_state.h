@@ -71,12 +71,12 @@ enum class NormalScaling : uint8_t { kNone, kRescale, kNormalize };
 struct VertexState {
     float mvp[16];
     float modelview[16];
-    // Lighting happens in eye coordinates; otherwise in object coordinates, and normals are not transformed. The
-    // reference's choice: it moves the last bits of colours.
+    // Lighting happens in eye coordinates; otherwise in object coordinates, and normals are not transformed.
+    // The reference's choice: it moves the last bits of colours.
     bool eye_space = true;
     bool fog_eye_z_alone = false;  // nothing before the fog coordinate needs all of the eye position
     float normal_matrix[9];        // columns of the inverse transpose's upper 3x3
-    bool affine = false;     // the last row of mvp is 0 0 0 1
+    bool affine = false;           // the last row of mvp is 0 0 0 1
     float viewport_scale[3], viewport_translate[3];
     uint32_t clip_plane_mask = 0;               // bit p: plane p is enabled
     float clip_planes[kMaxClipPlanes][4] = {};  // in clip coordinates

@@ -39,8 +39,9 @@ constexpr Specialised specialise() {
 }
 
 constexpr auto kBilinear = TextureKind::kModulateBilinearRgba8;
-// The state of the study's scenes T1 to T6 and of the demo's models, with both usual depth functions. The scalar build
-// has the general kernel alone: it is there to be compared with, and one lane at a time is slow in any case.
+// The state of the study's scenes T1 to T6 and of the demo's models, with both usual depth functions. The
+// scalar build has the general kernel alone: it is there to be compared with, and one lane at a time is slow
+// in any case.
 constexpr Specialised kSpecialised[] = {
 #if HWY_TARGET == HWY_SCALAR
     {FragmentKey{}, general_kernel},

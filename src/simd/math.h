@@ -1,9 +1,9 @@
-// Elementary functions of 16 lanes, made of multiplications and additions so that every instruction set returns the
-// same bits: the reference's polynomials with its coefficients (doc/reference.md §2.4).
+// Elementary functions of 16 lanes, made of multiplications and additions so that every instruction set
+// returns the same bits: the reference's polynomials with its coefficients (doc/reference.md §2.4).
 //
-// pow_once_rounded does the reference's fused steps through double and returns its bits; vertices use it, where an
-// exponent can magnify the last bit. exp2 rounds each step and is off by at most two of the last bits: fragments use
-// it, where that is far below a colour step.
+// pow_once_rounded does the reference's fused steps through double and returns its bits; vertices use it,
+// where an exponent can magnify the last bit. exp2 rounds each step and is off by at most two of the last
+// bits: fragments use it, where that is far below a colour step.
 #pragma once
 
 #include "simd/wide.h"
@@ -20,7 +20,8 @@ TERRAZZO_INLINE PowerOfTwo split_exponent(F32x16 x) {
     return {x - whole, as_float(shift_left<23>(truncate_to_int(whole) + I32x16(127)))};
 }
 
-inline constexpr float kExp2Odd[3] = {0.693153073200168932794f, 0.0558263180532956664775f, 0.00187757667519147912699f};
+inline constexpr float kExp2Odd[3] = {0.693153073200168932794f, 0.0558263180532956664775f,
+                                      0.00187757667519147912699f};
 inline constexpr float kExp2Even[3] = {1.0f, 0.240153617044375388211f, 0.00898934009049466391101f};
 
 TERRAZZO_INLINE F32x16 exp2(F32x16 x) {
@@ -49,7 +50,8 @@ TERRAZZO_INLINE F32x16 log2_once_rounded(F32x16 x) {
     const F32x16 square = quotient * quotient;
     const F64x16 t = to_double(quotient), u = to_double(square), v = to_double(square * square);
     const auto step = [&](const F64x16& a, float b) { return multiply_add_once_rounded(v, a, F64x16(b)); };
-    const F64x16 even = step(step(F64x16(0.406718052498846252698f), 0.577440339438736392009f), 2.88539009343309178325f);
+    const F64x16 even =
+        step(step(F64x16(0.406718052498846252698f), 0.577440339438736392009f), 2.88539009343309178325f);
     const F64x16 odd = step(F64x16(0.403343858251329912514f), 0.961791550404184197881f);
     return to_float(t * multiply_add_once_rounded(odd, u, even) + to_double(exponent));
 }

@@ -461,7 +461,8 @@ TERRAZZO_INLINE F32x16 to_float(const F64x16& a) {
 #if HWY_TARGET == HWY_SCALAR
         r.part[p] = hn::DemoteTo(TagF(), a.part[p]);
 #else
-        r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), a.part[2 * p + 1]), hn::DemoteTo(TagHalfF(), a.part[2 * p]));
+        r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), a.part[2 * p + 1]),
+                                hn::DemoteTo(TagHalfF(), a.part[2 * p]));
 #endif
     }
     return r;
@@ -516,8 +517,8 @@ TERRAZZO_INLINE F64x16 rounded_to_float(const F64x16& a) {
 }
 #endif
 
-// What a fused multiply-add of floats returns (but for one case in 2^29, where the sum in double falls half-way between
-// floats): the product is exact in double. The same on every instruction set, fused or not.
+// What a fused multiply-add of floats returns (but for one case in 2^29, where the sum in double falls
+// half-way between floats): the product is exact in double. The same on every instruction set, fused or not.
 TERRAZZO_INLINE F64x16 multiply_add_once_rounded(const F64x16& a, const F64x16& b, const F64x16& c) {
     return rounded_to_float(a * b + c);
 }

@@ -1,7 +1,8 @@
-// Random state drawn by our libOSMesa and by the reference's, in a process each: colours must be as close as each trial
-// says; most must be equal in every bit.
+// Random state drawn by our libOSMesa and by the reference's, in a process each: colours must be as close as
+// each trial says; most must be equal in every bit.
 //
-// TERRAZZO_COLOR_SEED=n draws the one seed a failure names; TERRAZZO_COLOR_SEEDS=n the first n of every trial.
+// TERRAZZO_COLOR_SEED=n draws the one seed a failure names; TERRAZZO_COLOR_SEEDS=n the first n of every
+// trial.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +35,8 @@ const Trial& find_trial(const std::string& name) {
 json draw(const json& arguments) {
     const kit::Library library(arguments.at("library").get<std::string>());
     const Trial& trial = find_trial(arguments.at("trial"));
-    const kit::ContextOptions options{.format = trial.format, .type = trial.type, .width = kTrialSize, .height = kTrialSize};
+    const kit::ContextOptions options{
+        .format = trial.format, .type = trial.type, .width = kTrialSize, .height = kTrialSize};
     json pictures = json::array();
     for (const unsigned seed : arguments.at("seeds")) {
         const kit::OffscreenContext context(library, options);
@@ -45,7 +47,8 @@ json draw(const json& arguments) {
         trial.draw(gl, dice);
         gl.Finish();
         const std::vector<GLenum> errors = context.take_errors();
-        if (!errors.empty()) throw std::runtime_error(trial.name + std::string(" leaves ") + kit::error_name(errors[0]));
+        if (!errors.empty())
+            throw std::runtime_error(trial.name + std::string(" leaves ") + kit::error_name(errors[0]));
         pictures.push_back(json::binary(context.colour_buffer()));
     }
     return pictures;
@@ -116,7 +119,8 @@ json run(const std::string& library, const Trial& trial, const std::vector<unsig
 }
 
 std::vector<unsigned> chosen_seeds(const Trial& trial) {
-    if (const char* seed = std::getenv("TERRAZZO_COLOR_SEED")) return {static_cast<unsigned>(std::atoi(seed))};
+    if (const char* seed = std::getenv("TERRAZZO_COLOR_SEED"))
+        return {static_cast<unsigned>(std::atoi(seed))};
     const char* const count = std::getenv("TERRAZZO_COLOR_SEEDS");
     std::vector<unsigned> seeds(static_cast<std::size_t>(count ? std::atoi(count) : trial.seeds));
     for (unsigned i = 0; i < seeds.size(); ++i) seeds[i] = i + 1;
@@ -127,7 +131,8 @@ class ColorCompare : public testing::TestWithParam<Trial> {};
 
 TEST_P(ColorCompare, IsTheReferences) {
     const Trial& trial = GetParam();
-    if (std::ifstream(TERRAZZO_REFERENCE_LIBRARY).fail()) GTEST_SKIP() << TERRAZZO_REFERENCE_LIBRARY " is missing";
+    if (std::ifstream(TERRAZZO_REFERENCE_LIBRARY).fail())
+        GTEST_SKIP() << TERRAZZO_REFERENCE_LIBRARY " is missing";
     const std::vector<unsigned> seeds = chosen_seeds(trial);
     const json ours = run(TERRAZZO_OWN_LIBRARY, trial, seeds);
     const json theirs = run(TERRAZZO_REFERENCE_LIBRARY, trial, seeds);
@@ -139,10 +144,11 @@ TEST_P(ColorCompare, IsTheReferences) {
     RecordProperty("drawn", static_cast<int>(result.drawn));
     RecordProperty("unequal", static_cast<int>(result.unequal));
     RecordProperty("largest", std::to_string(result.largest));
-    std::printf("%-24s %8zu pixels, %7zu not equal, %7zu further than %g, largest %.3g\n", trial.name, result.drawn,
-                result.unequal, result.differing, trial.bound.steps, result.largest);
+    std::printf("%-24s %8zu pixels, %7zu not equal, %7zu further than %g, largest %.3g\n", trial.name,
+                result.drawn, result.unequal, result.differing, trial.bound.steps, result.largest);
     ASSERT_GT(result.drawn, seeds.size() * 50) << "the trial must draw something";
-    EXPECT_LE(static_cast<double>(result.differing), trial.bound.differing_share * static_cast<double>(result.drawn))
+    EXPECT_LE(static_cast<double>(result.differing),
+              trial.bound.differing_share * static_cast<double>(result.drawn))
         << result.first;
     EXPECT_LE(result.largest, trial.bound.largest) << result.first;
 }
@@ -155,7 +161,8 @@ INSTANTIATE_TEST_SUITE_P(All, ColorCompare, testing::ValuesIn(all_trials()),
 
 int main(int argc, char** argv) {
     int exit_code = 0;
-    if (terrazzo::kit::serve_child(argc, argv, {{"draw", terrazzo::test::draw}}, &exit_code)) return exit_code;
+    if (terrazzo::kit::serve_child(argc, argv, {{"draw", terrazzo::test::draw}}, &exit_code))
+        return exit_code;
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

@@ -1,5 +1,7 @@
 // Trials of the fragment side.
 #include "colors/trial.h"
 namespace terrazzo::test {
-std::vector<Trial> fragment_trials() { return {}; }
+std::vector<Trial> fragment_trials() {
+    return {};
 }
+}  // namespace terrazzo::test

@@ -1,5 +1,5 @@
-// Trials of the vertex side: lighting, materials, colour conversion. Triangles are flat-shaded and w is 1, so that a
-// pixel is a vertex colour and nothing else.
+// Trials of the vertex side: lighting, materials, colour conversion. Triangles are flat-shaded and w is 1, so
+// that a pixel is a vertex colour and nothing else.
 #include <cmath>
 
 #include "colors/trial.h"
@@ -72,7 +72,8 @@ void choose_lighting(const Gl& gl, Dice& dice) {
     if (dice.pick(3) == 0) gl.Enable(GL_RESCALE_NORMAL);
     if (dice.pick(3) == 0) {
         const GLenum modes[] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE};
-        // Back alone is left out: the reference takes green and blue of a back material that varies from the front.
+        // Back alone is left out: the reference takes green and blue of a back material that varies from the
+        // front.
         gl.ColorMaterial(dice.one_of<GLenum>({GL_FRONT, GL_FRONT_AND_BACK}), modes[dice.pick(5)]);
         gl.Enable(GL_COLOR_MATERIAL);
     }
@@ -118,7 +119,8 @@ void lit_triangles(const Gl& gl, Dice& dice) {
 void material_per_vertex(const Gl& gl, Dice& dice) {
     choose_view(gl, dice);
     choose_lighting(gl, dice);
-    // Not 0: the reference lights vertices ahead of the first glMaterial of a shininess by another formula then.
+    // Not 0: the reference lights vertices ahead of the first glMaterial of a shininess by another formula
+    // then.
     gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, dice.number(1, 60));
     triangles(gl, dice, [&] {
         random_normal(gl, dice, true);
@@ -127,8 +129,8 @@ void material_per_vertex(const Gl& gl, Dice& dice) {
         const GLenum names[] = {GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE};
         const GLenum name = names[dice.pick(5)];
         // Of back materials the reference does only these two right (see choose_lighting).
-        const GLenum face =
-            name == GL_EMISSION ? dice.one_of<GLenum>({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}) : GLenum{GL_FRONT};
+        const GLenum face = name == GL_EMISSION ? dice.one_of<GLenum>({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK})
+                                                : GLenum{GL_FRONT};
         if (dice.pick(4) == 0)
             gl.Materialf(dice.one_of<GLenum>({GL_FRONT, GL_BACK}), GL_SHININESS, dice.number(0, 60));
         else

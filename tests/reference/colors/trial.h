@@ -1,8 +1,8 @@
-// Trials of colours: one function draws random state over a GL function table, once with our library and once with
-// the reference, and the two colour buffers are compared.
+// Trials of colours: one function draws random state over a GL function table, once with our library and once
+// with the reference, and the two colour buffers are compared.
 //
-// Input: a current context cleared to kClear. Output: the colour buffer. Invariant: what a trial draws depends on its
-// seed alone, and it leaves no GL error.
+// Input: a current context cleared to kClear. Output: the colour buffer. Invariant: what a trial draws
+// depends on its seed alone, and it leaves no GL error.
 #pragma once
 
 #include <algorithm>
