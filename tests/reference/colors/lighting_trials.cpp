@@ -1,6 +1,8 @@
 // Trials of the vertex side: lighting, materials, colour conversion. Triangles are flat-shaded and w is 1, so
 // that a pixel is a vertex colour and nothing else.
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 
 #include "colors/trial.h"
 
@@ -138,12 +140,98 @@ void material_per_vertex(const Gl& gl, Dice& dice) {
     });
 }
 
+// Every integer form of glColor and glNormal.
+void integer_forms(const Gl& gl, Dice& dice) {
+    choose_view(gl, dice);
+    if (dice.chance()) {
+        choose_lighting(gl, dice);
+        gl.Enable(GL_COLOR_MATERIAL);
+    }
+    const auto bits = [&] {
+        return static_cast<int>(static_cast<unsigned>(dice.pick(1 << 16)) << 16 |
+                                static_cast<unsigned>(dice.pick(1 << 16)));
+    };
+    const int form = dice.pick(6);
+    triangles(gl, dice, [&] {
+        const int r = bits(), g = bits(), b = bits(), a = bits();
+        const auto call = [&]<typename Number>(auto* color, auto* normal, Number) {
+            color(static_cast<Number>(r), static_cast<Number>(g), static_cast<Number>(b),
+                  static_cast<Number>(a));
+            using Signed = std::make_signed_t<Number>;
+            normal(static_cast<Signed>(b), static_cast<Signed>(a), static_cast<Signed>(r));
+        };
+        switch (form) {
+            case 0:
+                return call(gl.Color4b, gl.Normal3b, GLbyte{});
+            case 1:
+                return call(gl.Color4ub, gl.Normal3b, GLubyte{});
+            case 2:
+                return call(gl.Color4s, gl.Normal3s, GLshort{});
+            case 3:
+                return call(gl.Color4us, gl.Normal3s, GLushort{});
+            case 4:
+                return call(gl.Color4i, gl.Normal3i, GLint{});
+            default:
+                return call(gl.Color4ui, gl.Normal3i, GLuint{});
+        }
+    });
+}
+
+// Arrays of colours and normals of every type.
+void arrays(const Gl& gl, Dice& dice) {
+    choose_view(gl, dice);
+    if (dice.chance()) {
+        choose_lighting(gl, dice);
+        gl.Enable(GL_COLOR_MATERIAL);
+    }
+    constexpr int kVertices = 3 * kTriangles;
+    std::vector<float> positions(3 * kVertices);
+    for (std::size_t i = 0; i < positions.size(); i += 9) {
+        const std::array<float, 3> center = dice.numbers<3>(-2, 2);
+        for (std::size_t c = 0; c < 9; ++c) positions[i + c] = center[c % 3] + dice.number(-0.5f, 0.5f);
+    }
+    struct Form {
+        GLenum color, normal;
+    };
+    const Form forms[] = {
+        {GL_BYTE, GL_BYTE}, {GL_UNSIGNED_BYTE, GL_BYTE}, {GL_SHORT, GL_SHORT}, {GL_UNSIGNED_SHORT, GL_SHORT},
+        {GL_INT, GL_INT},   {GL_UNSIGNED_INT, GL_INT},   {GL_FLOAT, GL_FLOAT}, {GL_DOUBLE, GL_DOUBLE}};
+    const Form form = forms[dice.pick(8)];
+    // 32 bytes a vertex: four components of the largest type.
+    const auto fill = [&](GLenum type) {
+        std::vector<unsigned char> bytes(32 * kVertices);
+        for (std::size_t i = 0; i < bytes.size(); i += 4) {
+            const float real = dice.number(-0.2f, 1.1f);
+            const double wide = dice.number(-0.2f, 1.1f) / 3.0;
+            const int bits = dice.pick(1 << 16) * 65537 ^ dice.pick(1 << 30);
+            if (type == GL_FLOAT)
+                std::memcpy(bytes.data() + i, &real, 4);
+            else if (type == GL_DOUBLE && i % 8 == 0)
+                std::memcpy(bytes.data() + i, &wide, 8);
+            else if (type != GL_DOUBLE)
+                std::memcpy(bytes.data() + i, &bits, 4);
+        }
+        return bytes;
+    };
+    const auto colors = fill(form.color), normals = fill(form.normal);
+    gl.ShadeModel(GL_FLAT);
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    gl.EnableClientState(GL_COLOR_ARRAY);
+    gl.EnableClientState(GL_NORMAL_ARRAY);
+    gl.VertexPointer(3, GL_FLOAT, 0, positions.data());
+    gl.ColorPointer(3 + dice.pick(2), form.color, 32, colors.data());
+    gl.NormalPointer(form.normal, 32, normals.data());
+    gl.DrawArrays(GL_TRIANGLES, 0, kVertices);
+}
+
 }  // namespace
 
 std::vector<Trial> lighting_trials() {
     return {
         {"lit_triangles", lit_triangles, 120, {}},
-        {"material_per_vertex", material_per_vertex, 60, {}},
+        {"material_per_vertex", material_per_vertex, 12, {}},
+        {"integer_forms", integer_forms, 24, {}},
+        {"arrays", arrays, 24, {}},
     };
 }
 
