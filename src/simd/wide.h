@@ -410,27 +410,19 @@ TERRAZZO_INLINE I32x16 lane_y() {
     return shift_right<2>(lane_numbers());
 }
 
+// Sixteen doubles, for what must be more precise than a float before it is rounded to one. (Highway's scalar
+// doubles become floats with infinities cut off.)
 #if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
 using TagHalfF = hn::Half<TagF>;
 using TagHalfI = hn::Half<TagI>;
 using TagWide = hn::Rebind<double, TagHalfF>;
-#endif
-
-// Sixteen doubles, for what must be more precise than a float before it is rounded to one.
-#if HWY_HAVE_FLOAT64
-#if HWY_TARGET == HWY_SCALAR
-inline constexpr int kDoubleParts = 16;
-using TagD16 = hn::CappedTag<double, 1>;
-#else
 inline constexpr int kDoubleParts = 2 * kParts;
-using TagD16 = TagWide;
-#endif
 struct F64x16 {
-    hn::Vec<TagD16> part[kDoubleParts];
+    hn::Vec<TagWide> part[kDoubleParts];
 
     F64x16() = default;
     TERRAZZO_INLINE F64x16(double value) {
-        for (auto& p : part) p = hn::Set(TagD16(), value);
+        for (auto& p : part) p = hn::Set(TagWide(), value);
     }
 };
 TERRAZZO_INLINE F64x16 operator+(const F64x16& a, const F64x16& b) {
@@ -446,37 +438,22 @@ TERRAZZO_INLINE F64x16 operator*(const F64x16& a, const F64x16& b) {
 TERRAZZO_INLINE F64x16 to_double(F32x16 a) {
     F64x16 r;
     TERRAZZO_FOR_PARTS {
-#if HWY_TARGET == HWY_SCALAR
-        r.part[p] = hn::PromoteTo(TagD16(), a.part[p]);
-#else
-        r.part[2 * p] = hn::PromoteTo(TagD16(), hn::LowerHalf(TagHalfF(), a.part[p]));
-        r.part[2 * p + 1] = hn::PromoteTo(TagD16(), hn::UpperHalf(TagHalfF(), a.part[p]));
-#endif
+        r.part[2 * p] = hn::PromoteTo(TagWide(), hn::LowerHalf(TagHalfF(), a.part[p]));
+        r.part[2 * p + 1] = hn::PromoteTo(TagWide(), hn::UpperHalf(TagHalfF(), a.part[p]));
     }
     return r;
 }
 TERRAZZO_INLINE F32x16 to_float(const F64x16& a) {
     F32x16 r;
-    TERRAZZO_FOR_PARTS {
-#if HWY_TARGET == HWY_SCALAR
-        r.part[p] = hn::DemoteTo(TagF(), a.part[p]);
-#else
-        r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), a.part[2 * p + 1]),
-                                hn::DemoteTo(TagHalfF(), a.part[2 * p]));
-#endif
-    }
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), a.part[2 * p + 1]),
+                                               hn::DemoteTo(TagHalfF(), a.part[2 * p]));
     return r;
 }
 // Each to the nearest float, kept as a double.
 TERRAZZO_INLINE F64x16 rounded_to_float(const F64x16& a) {
     F64x16 r;
-    for (int p = 0; p < kDoubleParts; ++p) {
-#if HWY_TARGET == HWY_SCALAR
-        r.part[p] = hn::PromoteTo(TagD16(), hn::DemoteTo(TagF(), a.part[p]));
-#else
-        r.part[p] = hn::PromoteTo(TagD16(), hn::DemoteTo(TagHalfF(), a.part[p]));
-#endif
-    }
+    for (int p = 0; p < kDoubleParts; ++p)
+        r.part[p] = hn::PromoteTo(TagWide(), hn::DemoteTo(TagHalfF(), a.part[p]));
     return r;
 }
 #else
