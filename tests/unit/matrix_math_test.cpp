@@ -13,6 +13,9 @@
 namespace terrazzo::gl {
 namespace {
 
+using pipeline::cosine;
+using pipeline::sine;
+
 constexpr Matrix4 kRotateGeneral = {{
     0x1.b34ca4p-1f,
     0x1.d6c366p-2f,
