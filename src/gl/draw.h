@@ -17,7 +17,7 @@ struct Drawing {
     pipeline::DrawState state;
     // What the derived state was made for besides the GL state.
     pipeline::AttributeMask streamed = 0;
-    bool w_is_one = false;
+    unsigned projective = 0;  // texture units, one bit each, whose coordinates may have a q other than 1
     std::array<float, 4> constant_color{};
 };
 

@@ -14,15 +14,15 @@ constinit thread_local CurrentContext current = {&kNoContextTable, nullptr};
 
 namespace {
 
-const Dispatch* entry_table(const Context* ctx) {
-    if (!ctx) return &kNoContextTable;
-    return debug_enabled() ? &kDebugTable : ctx->dispatch.table;
+// The debug table stays in front of whatever the context's is.
+void use_table(const Context& ctx) {
+    if (current.context == &ctx && current.table != &kDebugTable) current.table = ctx.dispatch.table;
 }
 
 }  // namespace
 
 void make_current(Context* ctx) {
-    current = {entry_table(ctx), ctx};
+    current = {!ctx ? &kNoContextTable : debug_enabled() ? &kDebugTable : ctx->dispatch.table, ctx};
 }
 
 void set_inside_begin_end(Context& ctx, bool inside) {
@@ -30,12 +30,12 @@ void set_inside_begin_end(Context& ctx, bool inside) {
     dispatch.execute = inside ? &kInsideBeginEndTable : &kNormalTable;
     if (dispatch.table == &kCompilingTable) return;
     dispatch.table = dispatch.execute;
-    if (current.context == &ctx) current.table = entry_table(&ctx);
+    use_table(ctx);
 }
 
 void set_compiling(Context& ctx, bool compiling) {
     ctx.dispatch.table = compiling ? &kCompilingTable : ctx.dispatch.execute;
-    if (current.context == &ctx) current.table = entry_table(&ctx);
+    use_table(ctx);
 }
 
 ProcAddress find_proc_address(const char* name) {

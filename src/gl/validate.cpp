@@ -156,9 +156,8 @@ bool is_identity(const Matrix4& m) {
     return std::equal(m.m, m.m + 16, i.m);
 }
 
-// Texture coordinates of a unit that samples something. Says whether q may be other than 1.
-bool make_texture_coordinates(Context& ctx, int number, const pipeline::VertexInput& input,
-                              pipeline::TextureCoordinates& out) {
+// Texture coordinates of a unit that samples something.
+void make_texture_coordinates(Context& ctx, int number, pipeline::TextureCoordinates& out) {
     const TextureUnit& state = ctx.texture.units[static_cast<std::size_t>(number)];
     const StackMatrix& matrix = ctx.matrix.texture[static_cast<std::size_t>(number)].top();
     out.used = true;
@@ -170,13 +169,28 @@ bool make_texture_coordinates(Context& ctx, int number, const pipeline::VertexIn
         const auto& plane = texgen.mode == GL_OBJECT_LINEAR ? texgen.object_plane : texgen.eye_plane;
         std::copy_n(plane.data(), 4, out.planes[c]);
     }
+}
+
+// Whether q may be other than 1 in the coordinates of unit `number`.
+bool may_project(const pipeline::TextureCoordinates& coordinates, int number,
+                 const pipeline::VertexInput& input) {
     const auto attribute = static_cast<std::size_t>(pipeline::kTexture0 + number);
     const bool streams_q = input.streamed & bit(static_cast<int>(attribute))
                                ? input.streams[attribute].components > 3
                                : input.constants[attribute][3] != 1;
-    const float* const m = matrix.value.m;
+    const float* const m = coordinates.matrix;
     const bool projects = m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1;
-    return streams_q || projects || out.texgen[3] != pipeline::TexgenMode::kOff;
+    return streams_q || projects || coordinates.texgen[3] != pipeline::TexgenMode::kOff;
+}
+
+// One bit for each unit of those in use whose coordinates may_project.
+unsigned projective_units(const pipeline::VertexState& vertex, const pipeline::VertexInput& input) {
+    unsigned units = 0;
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+        const auto& coordinates = vertex.texture[static_cast<std::size_t>(u)];
+        if (coordinates.used && may_project(coordinates, u, input)) units |= 1u << u;
+    }
+    return units;
 }
 
 raster::BlendKind blend_kind(const BlendState& b, bool eight_bits) {
@@ -295,6 +309,30 @@ bool shows_texel(const raster::FragmentState& state) {
            key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways;
 }
 
+// What of the key depends on more than the state that make_fragment reads.
+void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, bool w_is_one,
+                     raster::FragmentKey& key) {
+    const pipeline::VertexState& vertex = ctx.drawing.state.vertex;
+    key.perspective = !(vertex.affine && w_is_one);
+    key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
+    key.separate_specular =
+        ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+}
+
+// Whether the fragment state of the last draw serves this one too: programs that move from object to object
+// or from material to material need no other.
+bool fragment_still_fits(const Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
+    constexpr unsigned kApartFromKey =
+        static_cast<unsigned>(Dirty::kTransform) | static_cast<unsigned>(Dirty::kLighting);
+    const Drawing& drawing = ctx.drawing;
+    if (!drawing.state.fragment || (ctx.dirty & ~kApartFromKey)) return false;
+    raster::FragmentKey key = drawing.state.fragment->fill.key;
+    key_of_vertices(ctx, input, w_is_one, key);
+    return key == drawing.state.fragment->fill.key &&
+           drawing.constant_color == input.constants[pipeline::kColor] &&
+           drawing.projective == projective_units(drawing.state.vertex, input);
+}
+
 void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     pipeline::DrawState& draw = ctx.drawing.state;
     auto block = std::make_shared<pipeline::FragmentBlock>();
@@ -313,14 +351,11 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
                                       ctx.rasterization.polygon_stipple.rows.end());
         state.target_height_for_stipple = ctx.surface.height;
     }
-    key.perspective = !(draw.vertex.affine && w_is_one);
-    key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
-    key.separate_specular =
-        ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    key_of_vertices(ctx, input, w_is_one, key);
     const auto& color = input.constants[pipeline::kColor];
     std::transform(color.begin(), color.end(), state.constant_color, unit);
 
-    unsigned used = 0, projective = 0;
+    unsigned used = 0;
     {
         const std::lock_guard lock(ctx.shared->mutex);
         for (int u = 0; u < kMaxTextureUnits; ++u) {
@@ -332,9 +367,10 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
             if (object == nullptr) continue;
             block->stages.push_back(make_stage(u, unit_state, *object, levels, block->images));
             used |= 1u << u;
-            if (make_texture_coordinates(ctx, u, input, coordinates)) projective |= 1u << u;
+            make_texture_coordinates(ctx, u, coordinates);
         }
     }
+    const unsigned projective = ctx.drawing.projective = projective_units(draw.vertex, input);
     key.texture = block->stages.empty()                                  ? raster::TextureKind::kNone
                   : !is_plain_bilinear(state, block->stages, projective) ? raster::TextureKind::kGeneral
                   : shows_texel(state)                                   ? raster::TextureKind::kBilinearRgba8
@@ -379,15 +415,21 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill &&
                             drawing.state.raster.fill[1] == pipeline::FillMode::kFill;
     vertex.edge_flags = !all_filled;
-    const auto& color = input.constants[pipeline::kColor];
-    const bool same_vertices =
-        drawing.streamed == input.streamed && drawing.w_is_one == w_is_one && drawing.constant_color == color;
-    if (ctx.dirty == 0 && same_vertices && drawing.state.fragment) return;
-    drawing.streamed = input.streamed;
-    drawing.w_is_one = w_is_one;
-    drawing.constant_color = color;
-    make_fragment(ctx, input, w_is_one);
-    make_lighting(ctx, input, vertex);
+    if (is_dirty(ctx, Dirty::kTransform)) {
+        for (int u = 0; u < kMaxTextureUnits; ++u) {
+            auto& coordinates = vertex.texture[static_cast<std::size_t>(u)];
+            if (coordinates.used) make_texture_coordinates(ctx, u, coordinates);
+        }
+    }
+    const bool new_fragment = !fragment_still_fits(ctx, input, w_is_one);
+    if (new_fragment) {
+        drawing.constant_color = input.constants[pipeline::kColor];
+        make_fragment(ctx, input, w_is_one);
+    }
+    if (new_fragment || ctx.dirty != 0 || drawing.streamed != input.streamed) {
+        drawing.streamed = input.streamed;
+        make_lighting(ctx, input, vertex);
+    }
     ctx.dirty = 0;
 }
 

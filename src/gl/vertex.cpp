@@ -67,9 +67,10 @@ std::uint32_t longest_batch(VertexState& vertex) {
 
 void set_layout(VertexState& vertex) {
     VertexBatch& batch = vertex.batch;
-    const std::size_t room = std::min<std::size_t>(batch.data.size() / batch.stride, longest_batch(vertex));
-    batch.next = batch.data.data() + static_cast<std::size_t>(batch.count) * batch.stride;
-    batch.end = batch.data.data() + room * batch.stride;
+    float* const data = batch.data.data();
+    const std::size_t longest = static_cast<std::size_t>(longest_batch(vertex)) * batch.stride;
+    batch.next = data + static_cast<std::size_t>(batch.count) * batch.stride;
+    batch.end = data + std::min(batch.data.size(), longest);
 }
 
 void clear_batch(VertexState& vertex) {

@@ -40,6 +40,11 @@ std::unique_ptr<Context> make_context() {
     glEnable(GL_LIGHT0);
     // The reference, and so we, cuts quads along another diagonal in lists; not where they are stippled.
     glEnable(GL_POLYGON_STIPPLE);
+    std::array<GLubyte, 8 * 8 * 4> texels;
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<GLubyte>(i * 29);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     return ctx;
 }
@@ -314,6 +319,34 @@ TEST_P(ListGeometry, CompilingAndExecutingDrawsTheSame) {
         expect_same(run_directly(commands), run_while_compiling(commands), GetParam().tolerance());
         if (HasFailure()) break;
     }
+    make_current(nullptr);
+}
+
+// One half of the picture, its texture coordinates divided by q.
+void draw_half(GLfloat left, GLfloat q) {
+    glBegin(GL_TRIANGLE_STRIP);
+    for (const GLfloat x : {0.0f, 1.0f}) {
+        for (const GLfloat y : {-1.0f, 1.0f}) {
+            glTexCoord4f(x * q, y * q * q, 0, q);
+            glVertex2f(left + x, y);
+        }
+    }
+    glEnd();
+}
+
+TEST(ListTexture, CoordinatesMayNeedADivisionOnlyNow) {
+    const auto picture = [](bool divided_first) {
+        const auto ctx = make_context();
+        glEnable(GL_TEXTURE_2D);
+        glNewList(1, GL_COMPILE);
+        draw_half(-1, 1);
+        glEndList();
+        if (!divided_first) glCallList(1);
+        draw_half(0, 0.5f);
+        if (divided_first) glCallList(1);
+        return outcome_of(*ctx).pixels;
+    };
+    EXPECT_TRUE(picture(false) == picture(true));
     make_current(nullptr);
 }
 
