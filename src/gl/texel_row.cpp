@@ -17,16 +17,30 @@ using pipeline::TextureImage;
 
 // For every size, the 8-bit value that stands for an 8-bit component after it was kept with that many bits.
 using QuantizeTable = std::array<uint8_t, 256>;
-constexpr std::array<QuantizeTable, 9> make_quantize_tables() {
-    std::array<QuantizeTable, 9> tables{};
+using QuantizeTables = std::array<QuantizeTable, 9>;
+
+template <typename Narrow>
+constexpr QuantizeTables make_quantize_tables(Narrow narrow) {
+    QuantizeTables tables{};
     for (unsigned bits = 1; bits <= 8; ++bits) {
         for (unsigned value = 0; value < 256; ++value) {
-            tables[bits][value] = static_cast<uint8_t>(resize_unorm(resize_unorm(value, 8, bits), bits, 8));
+            tables[bits][value] = static_cast<uint8_t>(resize_unorm(narrow(value, bits), bits, 8));
         }
     }
     return tables;
 }
-constexpr std::array<QuantizeTable, 9> kQuantize = make_quantize_tables();
+constexpr QuantizeTables kQuantize =
+    make_quantize_tables([](unsigned value, unsigned bits) { return resize_unorm(value, 8, bits); });
+
+// How the reference narrows what it draws, and copies are drawn: bits are dropped, with some care where more
+// are lost than kept; only 4 bits are rounded to nearest.
+constexpr unsigned narrow_drawn(unsigned value, unsigned bits) {
+    const unsigned lost = 8 - bits;
+    if (bits == 4) return resize_unorm(value, 8, bits);
+    if (lost <= bits) return value >> lost;
+    return ((value >> bits) * ((1u << bits) - 1) + (1u << (lost - 1))) >> lost;
+}
+constexpr QuantizeTables kQuantizeDrawn = make_quantize_tables(narrow_drawn);
 
 // Groups to texels as sampling sees them.
 template <typename T>
@@ -102,10 +116,10 @@ void widen(const TexelFormat& format, const uint8_t* __restrict rgba, int count,
     }
 }
 
-void quantize(const TexelFormat& format, const uint8_t* __restrict rgba, int count,
-              uint8_t* __restrict quantized) {
-    const QuantizeTable &red = kQuantize[format.bits[0]], &green = kQuantize[format.bits[1]];
-    const QuantizeTable &blue = kQuantize[format.bits[2]], &alpha = kQuantize[format.bits[3]];
+void quantize(const QuantizeTables& tables, const TexelFormat& format, const uint8_t* __restrict rgba,
+              int count, uint8_t* __restrict quantized) {
+    const QuantizeTable &red = tables[format.bits[0]], &green = tables[format.bits[1]];
+    const QuantizeTable &blue = tables[format.bits[2]], &alpha = tables[format.bits[3]];
     for (int i = 0; i < 4 * count; i += 4) {
         quantized[i] = red[rgba[i]];
         quantized[i + 1] = green[rgba[i + 1]];
@@ -126,8 +140,8 @@ bool stores_groups(const TexelFormat& texel, GLenum format, GLenum type) {
            (packed && std::equal(packed->bits, packed->bits + packed->components, texel.bits.begin()));
 }
 
-void store_texels(const TexelFormat& format, const uint8_t* rgba, int count, TextureImage& image, int x,
-                  int y) {
+void store_texels(const TexelFormat& format, const uint8_t* rgba, Rounding rounding, int count,
+                  TextureImage& image, int x, int y) {
     if (image.storage == TexelStorage::kRgba32F) {
         float texels[4 * kPixelChunk];
         widen(format, rgba, count, texels);
@@ -137,7 +151,7 @@ void store_texels(const TexelFormat& format, const uint8_t* rgba, int count, Tex
         return groups_to_texels<uint8_t>(format.base_format, 255, rgba, count, image.rgba8(x, y));
     }
     uint8_t quantized[4 * kPixelChunk];
-    quantize(format, rgba, count, quantized);
+    quantize(rounding == Rounding::kAsDrawn ? kQuantizeDrawn : kQuantize, format, rgba, count, quantized);
     groups_to_texels<uint8_t>(format.base_format, 255, quantized, count, image.rgba8(x, y));
 }
 
@@ -151,12 +165,13 @@ void store_texels(const TexelFormat& format, const float* rgba, Rounding roundin
     uint8_t bytes[4 * kPixelChunk];
     if (rounding == Rounding::kThroughBytes || keeps_all_bits(format)) {
         bytes_from_floats(rgba, 4 * count, bytes);
-        return store_texels(format, bytes, count, image, x, y);
+        return store_texels(format, bytes, Rounding::kThroughBytes, count, image, x, y);
     }
+    const Scales scales(format);
     for (int i = 0; i < 4 * count; ++i) {
         const unsigned bits = format.bits[i & 3];
-        const unsigned value = bits == 0 ? 0 : resize_unorm(unorm_from_float(rgba[i], bits), bits, 8);
-        bytes[i] = static_cast<uint8_t>(value);
+        const auto integer = static_cast<unsigned>(clamp_to_unit(rgba[i]) * scales.maximum[i & 3] + 0.5f);
+        bytes[i] = static_cast<uint8_t>(bits == 0 ? 0 : resize_unorm(integer, bits, 8));
     }
     groups_to_texels<uint8_t>(format.base_format, 255, bytes, count, image.rgba8(x, y));
 }

@@ -16,13 +16,18 @@ namespace terrazzo::gl {
 // spread or quantised.
 bool stores_groups(const TexelFormat& texel, GLenum format, GLenum type);
 
-// How floats reach a size below 8 bits. The reference rounds once what comes to it as RGBA floats and takes
-// everything else through 8 bits, which shows near the middle between two values.
-enum class Rounding { kOnce, kThroughBytes };
+// How components reach sizes below 8 bits. The ways differ near the middle between two values, and programs
+// see which one the reference took.
+enum class Rounding {
+    kThroughBytes,  // to the nearest byte, from there to the nearest: most uploads
+    kOnce,          // floats straight to the nearest: uploads of RGBA floats, and whatever went through pixel
+                    // transfer
+    kAsDrawn,       // bytes as if they were drawn, which drops bits: copies
+};
 
 // Writes `count` texels from (x, y) on, coordinates as in TextureImage. `count` is at most kPixelChunk.
-void store_texels(const TexelFormat& format, const uint8_t* rgba, int count, pipeline::TextureImage& image,
-                  int x, int y);
+void store_texels(const TexelFormat& format, const uint8_t* rgba, Rounding rounding, int count,
+                  pipeline::TextureImage& image, int x, int y);
 void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
                   pipeline::TextureImage& image, int x, int y);
 

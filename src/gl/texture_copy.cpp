@@ -29,7 +29,7 @@ void copy_pixels(const PixelState& state, const ReadSource& source, GLint x, GLi
             } else if (bytes) {
                 uint8_t rgba[4 * kPixelChunk];
                 source.read(read.x + j, read.y + i, count, rgba);
-                store_texels(format, rgba, count, image, left + j, bottom + i);
+                store_texels(format, rgba, Rounding::kAsDrawn, count, image, left + j, bottom + i);
             } else {
                 float rgba[4 * kPixelChunk];
                 source.read(read.x + j, read.y + i, count, state, rgba);

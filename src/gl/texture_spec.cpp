@@ -51,7 +51,7 @@ class RowUploader {
         if (m_bytes) {
             uint8_t rgba[4 * kPixelChunk];
             unpack_rgba8(m_client.format, m_client.type, swap_bytes, source, count, rgba);
-            return store_texels(m_format, rgba, count, m_image, x, y);
+            return store_texels(m_format, rgba, Rounding::kThroughBytes, count, m_image, x, y);
         }
         float rgba[4 * kPixelChunk];
         Rounding rounding = Rounding::kThroughBytes;

@@ -72,6 +72,13 @@ TEST_F(TextureImages, DeepFormatsAreFloats) {
     EXPECT_FLOAT_EQ(texel[3], 32768.0f / 65535.0f);
 }
 
+TEST_F(TextureImages, FloatsRoundOnceAndUpInTheMiddle) {
+    const float middle = 0.5f / 7.0f;
+    const float pixels[] = {middle, 5 * middle, 1, 0, middle - 0.001f, 5 * middle - 0.001f, 1, 0};
+    upload(2, 1, GL_RGBA, GL_FLOAT, pixels, GL_R3_G3_B2);
+    EXPECT_THAT(texels(), ElementsAre(36, 109, 255, 255, 0, 73, 255, 255));
+}
+
 TEST_F(TextureImages, WithoutPixelsTheImageIsBlack) {
     upload(3, 2, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_THAT(texels(), Each(0));
@@ -240,10 +247,10 @@ TEST_F(Copies, GoThroughPixelTransfer) {
     EXPECT_THAT(texels(), ElementsAre(61, 0, 255, 255, 71, 0, 255, 255));
 }
 
-TEST_F(Copies, RoundToTheSizesOfTheFormat) {
+TEST_F(Copies, DropBitsThatTheFormatDoesNotKeep) {
     copy_tex_image_2d(ctx(), GL_TEXTURE_2D, 0, GL_RGB5, 0, 0, kSize, 1, 0);
-    // 10 x to 5 bits and back, as uploads do: round(x * 31 / 255), then the bits repeated.
-    EXPECT_THAT(reds(), ElementsAre(0, 8, 16, 33, 41, 49, 57, 74));
+    // The 5 highest bits of 10 x, then repeated; 10 x * 31 / 255 is 2.43 for x = 2 and 4.86 for x = 4.
+    EXPECT_THAT(reds(), ElementsAre(0, 8, 16, 24, 41, 49, 57, 66));
 }
 
 TEST_F(Copies, LuminanceOfACopyIsRed) {
