@@ -54,36 +54,6 @@ void record_call(DisplayList& list, int attribute, const Value& v) {
     }
 }
 
-// Vertices of one primitive, where primitives of a run share none; else 0.
-std::uint32_t vertices_of_independent(GLenum mode) {
-    switch (mode) {
-        case GL_POINTS:
-            return 1;
-        case GL_LINES:
-            return 2;
-        case GL_TRIANGLES:
-            return 3;
-        case GL_QUADS:
-            return 4;
-        default:
-            return 0;
-    }
-}
-
-// Adds a run, as part of the one before where that draws the same.
-void add_run(std::vector<PrimitiveRun>& runs, GLenum mode, std::uint32_t first, std::uint32_t count) {
-    if (count == 0) return;
-    const std::uint32_t vertices = vertices_of_independent(mode);
-    if (vertices != 0 && !runs.empty()) {
-        PrimitiveRun& last = runs.back();
-        if (last.mode == mode && last.first + last.count == first && last.count % vertices == 0) {
-            last.count += count;
-            return;
-        }
-    }
-    runs.push_back({mode, first, count});
-}
-
 // How many components of an attribute must be kept: those behind are 0, 0, 1 in all vertices, as the pipeline
 // assumes.
 std::uint8_t needed_components(const float* values, std::uint32_t count, std::uint32_t stride) {
@@ -129,7 +99,7 @@ void ListVertices::end(DisplayList& list) {
         list.append<EndRecord>();
         return;
     }
-    add_run(m_runs, m_mode, m_open_first, m_count - m_open_first);
+    add_run(m_runs, {m_mode, m_open_first, m_count - m_open_first});
     m_open = false;
 }
 

@@ -41,27 +41,18 @@ std::uint32_t vertices_of_independent(GLenum mode) {
 }
 
 // The run that one of `mode` beginning at vertex `first` becomes part of; null when it stands alone.
-PrimitiveRun* run_to_join(VertexBatch& batch, GLenum mode, std::uint32_t first) {
+PrimitiveRun* run_to_join(std::vector<PrimitiveRun>& runs, GLenum mode, std::uint32_t first) {
     const std::uint32_t vertices = vertices_of_independent(mode);
-    if (vertices == 0 || batch.runs.empty()) return nullptr;
-    PrimitiveRun& last = batch.runs.back();
+    if (vertices == 0 || runs.empty()) return nullptr;
+    PrimitiveRun& last = runs.back();
     const bool joins = last.mode == mode && last.first + last.count == first && last.count % vertices == 0;
     return joins ? &last : nullptr;
-}
-
-void add_run(VertexBatch& batch, const PrimitiveRun& run) {
-    if (run.count == 0) return;
-    if (PrimitiveRun* last = run_to_join(batch, run.mode, run.first)) {
-        last->count += run.count;
-    } else {
-        batch.runs.push_back(run);
-    }
 }
 
 // How many vertices the batch may hold until the open run is broken.
 std::uint32_t longest_batch(VertexState& vertex) {
     if (!vertex.open || vertices_of_independent(vertex.mode) == 0) return kLongestConnectedBatch;
-    const PrimitiveRun* joined = run_to_join(vertex.batch, vertex.mode, vertex.open_first);
+    const PrimitiveRun* joined = run_to_join(vertex.batch.runs, vertex.mode, vertex.open_first);
     return (joined ? joined->first : vertex.open_first) + kLongestRun;
 }
 
@@ -133,7 +124,7 @@ void draw_whole_pieces(Context& ctx) {
     const std::size_t floats = static_cast<std::size_t>(rest) * batch.stride;
     std::copy_n(batch.next - floats, floats, batch.data.data());
     batch.count = rest;
-    add_run(batch, {GL_QUADS, 0, rest});
+    add_run(batch.runs, {GL_QUADS, 0, rest});
     set_layout(ctx.vertex);
 }
 
@@ -154,7 +145,7 @@ void break_open_run(Context& ctx) {
         vertex.loop_start.assign(run, run + batch.stride);
         vertex.mode = GL_LINE_STRIP;
     }
-    add_run(batch, {vertex.mode, vertex.open_first, parts.drawn, vertex.open_continues, true});
+    add_run(batch.runs, {vertex.mode, vertex.open_first, parts.drawn, vertex.open_continues, true});
     vertex.open_continues = true;
     draw_runs(ctx);
     batch.runs.clear();
@@ -165,6 +156,15 @@ void break_open_run(Context& ctx) {
 }
 
 }  // namespace
+
+void add_run(std::vector<PrimitiveRun>& runs, const PrimitiveRun& run) {
+    if (run.count == 0) return;
+    if (PrimitiveRun* last = run_to_join(runs, run.mode, run.first)) {
+        last->count += run.count;
+    } else {
+        runs.push_back(run);
+    }
+}
 
 void flush_vertices(Context& ctx) {
     if (ctx.vertex.batch.count == 0 || ctx.vertex.open) return;
@@ -243,8 +243,8 @@ void end(Context& ctx) {
         vertex.batch.next += vertex.batch.stride;
         ++vertex.batch.count;
     }
-    add_run(vertex.batch, {vertex.mode, vertex.open_first, vertex.batch.count - vertex.open_first,
-                           vertex.open_continues, false});
+    add_run(vertex.batch.runs, {vertex.mode, vertex.open_first, vertex.batch.count - vertex.open_first,
+                                vertex.open_continues, false});
     vertex.open = false;
     if (vertex.batch.count < kLongBatch) return;
     vertex.batch.runs.back().mode == GL_QUADS ? draw_whole_pieces(ctx) : flush_vertices(ctx);

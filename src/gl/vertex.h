@@ -39,6 +39,9 @@ struct PrimitiveRun {
     bool continues = false, is_continued = false;
 };
 
+// Adds a run of vertices, as part of the last one where that draws the same.
+void add_run(std::vector<PrimitiveRun>& runs, const PrimitiveRun& run);
+
 struct VertexBatch {
     // Vertex i begins at data[i * stride]: the position, then `streams[0]`, `streams[1]`, ..., four floats
     // each.
