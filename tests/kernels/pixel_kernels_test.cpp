@@ -1,0 +1,288 @@
+// Every instruction set's pixel kernels against scalar's: random state and a random primitive in one bin,
+// then all three planes byte by byte, with guard bytes around them.
+//
+// The scalar table has the general kernel only, so specialised kernels are compared with the general one too.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include "random.h"
+#include "raster/kernel_table.h"
+
+namespace terrazzo::raster {
+namespace {
+
+using stress::Random;
+
+constexpr int kTargetSize = 192, kBinOrigin = 64;  // the middle one of nine bins
+constexpr std::uint8_t kGuard = 0xa5;
+
+// A plane's bytes with guards before and behind.
+class GuardedPlane {
+  public:
+    GuardedPlane(Random& random, std::size_t bytes) : m_memory(bytes + 2 * kGuardBytes + 64, kGuard) {
+        m_first = m_memory.data() + kGuardBytes;
+        m_first += 63 - (reinterpret_cast<std::uintptr_t>(m_first) + 63) % 64;
+        for (std::size_t i = 0; i < bytes; ++i) m_first[i] = random.byte();
+        m_bytes = bytes;
+    }
+    std::uint8_t* data() { return m_first; }
+    std::size_t size() const { return m_bytes; }
+    bool guards_hold() const {
+        const auto untouched = [](std::uint8_t byte) { return byte == kGuard; };
+        return std::all_of(m_memory.data(), static_cast<const std::uint8_t*>(m_first), untouched) &&
+               std::all_of(static_cast<const std::uint8_t*>(m_first) + m_bytes,
+                           m_memory.data() + m_memory.size(), untouched);
+    }
+
+  private:
+    static constexpr std::size_t kGuardBytes = 256;
+    std::vector<std::uint8_t> m_memory;
+    std::uint8_t* m_first;
+    std::size_t m_bytes;
+};
+
+// Everything one primitive is drawn with. Does not move: its parts point at one another.
+struct Scene {
+    explicit Scene(std::uint64_t seed) : random(seed) {
+        make_key();
+        make_varyings();
+        make_numbers();
+        make_primitive();
+    }
+    Scene(const Scene&) = delete;
+
+    void make_key() {
+        FragmentKey& key = state.key;
+        constexpr ColorFormat kFormats[] = {ColorFormat::kRgba8, ColorFormat::kRgba8, ColorFormat::kRgb565,
+                                            ColorFormat::kRgba16, ColorFormat::kRgba32F};
+        constexpr BlendKind kBlends[] = {BlendKind::kNone, BlendKind::kNone, BlendKind::kGeneral,
+                                         BlendKind::kAlpha, BlendKind::kAdditive};
+        constexpr TextureKind kTextures[] = {TextureKind::kNone, TextureKind::kGeneral,
+                                             TextureKind::kModulateBilinearRgba8};
+        // Half of the states are those that specialised kernels are made for.
+        key.perspective = random.coin();
+        key.interpolated_color = random.coin();
+        key.texture = random.one_of(kTextures);
+        key.depth_test = random.coin();
+        key.depth_write = key.depth_test && !random.once_in(4);
+        key.depth_func = random.coin() ? Compare::kLess : static_cast<Compare>(random.below(8));
+        if (random.coin()) return;
+        key.color_format = random.one_of(kFormats);
+        key.color_mask = static_cast<std::uint8_t>(random.coin() ? 15 : random.below(16));
+        key.depth_offset = random.coin();
+        key.stencil_test = random.coin();
+        key.alpha_func = random.coin() ? Compare::kAlways : static_cast<Compare>(random.below(8));
+        key.fog = static_cast<FogMode>(random.below(4));
+        key.blend = random.one_of(kBlends);
+        if (key.color_format != ColorFormat::kRgba8 && key.blend != BlendKind::kNone)
+            key.blend = BlendKind::kGeneral;
+        key.logic_op = key.blend == BlendKind::kNone && random.once_in(4);
+        key.polygon_stipple = random.once_in(4);
+        key.separate_specular = random.coin();
+    }
+
+    void make_varyings() {
+        Varyings& v = state.varyings;
+        const auto take = [&](int planes) {
+            const std::uint8_t first = v.count;
+            v.count = static_cast<std::uint8_t>(v.count + planes);
+            return static_cast<std::int8_t>(first);
+        };
+        if (state.key.interpolated_color) v.color = take(4);
+        if (state.key.separate_specular) v.secondary = take(3);
+        if (state.key.fog != FogMode::kNone) v.fog = take(1);
+        if (state.key.texture == TextureKind::kNone) return;
+        const bool general = state.key.texture == TextureKind::kGeneral;
+        state.texture_count = static_cast<std::uint8_t>(general ? 1 + random.below(2) : 1);
+        for (std::uint8_t unit = 0; unit < state.texture_count; ++unit) {
+            const bool projective = general && random.once_in(4);
+            v.texture[unit] = take(projective ? 4 : 2);
+            if (projective) v.projective = static_cast<std::uint8_t>(v.projective | 1u << unit);
+            make_stage(stages[unit], unit, general);
+        }
+        state.textures = stages;
+    }
+
+    void make_stage(TextureStage& stage, std::uint8_t unit, bool general) {
+        stage.unit = unit;
+        Sampler& sampler = stage.sampler;
+        sampler.min_filter = sampler.mag_filter = Filter::kLinear;
+        stage.base_format = random.coin() ? BaseFormat::kRgb : BaseFormat::kRgba;
+        if (general) {
+            stage.mode = static_cast<EnvMode>(random.below(5));
+            stage.base_format = static_cast<BaseFormat>(random.below(6));
+            sampler.storage = random.once_in(4) ? TexelStorage::kRgba32F : TexelStorage::kRgba8;
+            sampler.wrap_s = static_cast<Wrap>(random.below(5));
+            sampler.wrap_t = static_cast<Wrap>(random.below(5));
+            sampler.min_filter = static_cast<Filter>(random.below(2));
+            sampler.mag_filter = static_cast<Filter>(random.below(2));
+            sampler.mip_filter = static_cast<MipFilter>(random.below(3));
+        }
+        int width = 1 << random.below(6), height = 1 << random.below(6);
+        sampler.level_count = 0;
+        do {
+            add_level(sampler, width, height);
+            if (width == 1 && height == 1) break;
+            width = std::max(width / 2, 1);
+            height = std::max(height / 2, 1);
+        } while (sampler.mip_filter != MipFilter::kNone);
+        for (float& c : sampler.border_color) c = random.between(0, 1);
+        for (float& c : stage.env_color) c = random.between(0, 1);
+    }
+    void add_level(Sampler& sampler, int width, int height) {
+        const std::size_t margin = 64, texels = static_cast<std::size_t>(width * height);
+        const bool floats = sampler.storage == TexelStorage::kRgba32F;
+        auto& memory = images.emplace_back(2 * margin + texels * (floats ? 16 : 4));
+        for (std::size_t i = 0; i < texels * 4; ++i) {
+            if (floats) {
+                const float value = random.between(0, 1);
+                std::memcpy(memory.data() + margin + i * 4, &value, sizeof value);
+            } else {
+                memory[margin + i] = random.byte();
+            }
+        }
+        sampler.levels[sampler.level_count++] = {memory.data() + margin, width, height, width};
+    }
+
+    void make_numbers() {
+        state.depth_bits = random.once_in(4) ? 16 : 24;
+        state.has_destination_alpha = random.coin();
+        for (float& c : state.constant_color) c = random.between(0, 1);
+        for (float& c : state.fog_color) c = random.between(0, 1);
+        for (float& c : state.blend_color) c = random.between(0, 1);
+        state.alpha_reference = random.between(0, 1);
+        state.fog_density = random.between(0, 2);
+        state.fog_end = random.between(0, 3);
+        const auto factor = [&] { return static_cast<BlendFactor>(random.below(15)); };
+        state.blend_source_rgb = factor(), state.blend_source_alpha = factor();
+        state.blend_destination_rgb = factor(), state.blend_destination_alpha = factor();
+        state.blend_equation_rgb = static_cast<BlendEquation>(random.below(5));
+        state.blend_equation_alpha = static_cast<BlendEquation>(random.below(5));
+        state.logic_op = static_cast<LogicOp>(random.below(16));
+        const auto op = [&] { return static_cast<StencilOp>(random.below(8)); };
+        for (StencilFace& face : state.stencil)
+            face = {static_cast<Compare>(random.below(8)),
+                    random.byte(),
+                    random.byte(),
+                    random.byte(),
+                    op(),
+                    op(),
+                    op()};
+        for (std::uint32_t& row : stipple) row = static_cast<std::uint32_t>(random.below(1 << 16)) * 0x10001u;
+        state.polygon_stipple = stipple;
+        state.target_height_for_stipple = random.coin() ? kTargetSize : 0;
+    }
+
+    void make_primitive() {
+        Primitive& p = primitive();
+        p = {};
+        p.state = &state;
+        p.plane_count = static_cast<std::uint8_t>(2 + state.varyings.count);
+        p.back_facing = random.coin();
+        p.depth_offset = random.between(-0.1f, 0.1f);
+        // Of three rectangles one cuts the bin.
+        const auto inset = [&] {
+            return static_cast<std::int16_t>(random.once_in(3) ? kBinOrigin + random.below(40) : 0);
+        };
+        p.x0 = inset(), p.y0 = inset();
+        p.x1 = static_cast<std::int16_t>(kTargetSize - inset());
+        p.y1 = static_cast<std::int16_t>(kTargetSize - inset());
+        p.edge_count = random.once_in(6) ? 0 : 3;
+        const auto corner = [&] { return random.below(2 * kTargetSize * 256) - kTargetSize * 128; };
+        std::int32_t x[3] = {corner(), corner(), corner()}, y[3] = {corner(), corner(), corner()};
+        const std::int64_t area =
+            std::int64_t{x[0] - x[1]} * (y[2] - y[0]) - std::int64_t{x[2] - x[0]} * (y[0] - y[1]);
+        if (area < 0) std::swap(x[0], x[1]), std::swap(y[0], y[1]);
+        for (int e = 0; e < 3; ++e)
+            p.edges[e] = Edge::between(x[e], y[e], x[(e + 1) % 3], y[(e + 1) % 3], true);
+        for (int i = 0; i < p.plane_count; ++i) {
+            float* const plane = p.planes() + i;
+            plane[0] = random.between(0, 1);
+            plane[p.plane_count] = random.between(-0.004f, 0.004f);
+            plane[2 * p.plane_count] = random.between(-0.004f, 0.004f);
+        }
+        p.planes()[1] = random.between(1.6f, 3);  // 1/w stays positive in the target
+    }
+
+    Primitive& primitive() { return *reinterpret_cast<Primitive*>(memory); }
+
+    Random random;
+    FragmentState state;
+    TextureStage stages[2];
+    std::uint32_t stipple[32];
+    std::vector<std::vector<std::uint8_t>> images;
+    alignas(16) std::byte memory[Primitive::size_of(kMaxPlanes)];
+};
+
+struct Planes {
+    Planes(Random random, const FragmentState& state)
+        : color(random, static_cast<std::size_t>(kBinPixels * bytes_per_pixel(state.key.color_format))),
+          depth(random, kBinPixels * 4),
+          stencil(random, kBinPixels) {
+        auto* const words = reinterpret_cast<std::uint32_t*>(depth.data());
+        for (int i = 0; i < kBinPixels; ++i) words[i] &= (1u << state.depth_bits) - 1;
+        if (state.key.color_format != ColorFormat::kRgba32F) return;
+        auto* const floats = reinterpret_cast<float*>(color.data());
+        for (int i = 0; i < kBinPixels * 4; ++i) floats[i] = random.between(0, 1);
+    }
+    bool guards_hold() const { return color.guards_hold() && depth.guards_hold() && stencil.guards_hold(); }
+
+    GuardedPlane color, depth, stencil;
+};
+
+Planes draw(Scene& scene, const KernelTable& table) {
+    Planes planes(Random(7), scene.state);
+    BinState bin_state;
+    Bin bin{reinterpret_cast<std::byte*>(planes.color.data()),
+            reinterpret_cast<std::uint32_t*>(planes.depth.data()),
+            planes.stencil.data(),
+            kBinOrigin,
+            kBinOrigin,
+            &bin_state};
+    scene.state.kernel = table.select_kernel(scene.state.key);
+    table.draw_primitive(scene.primitive(), bin);
+    return planes;
+}
+
+bool equal(GuardedPlane& a, GuardedPlane& b) {
+    return std::memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+class PixelKernels : public testing::TestWithParam<const KernelTable*> {};
+
+TEST_P(PixelKernels, DrawWhatScalarDraws) {
+    int touched = 0;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        Scene scene(seed);
+        Planes expected = draw(scene, *compiled_kernels().back());
+        Planes found = draw(scene, *GetParam());
+        Planes untouched(Random(7), scene.state);
+        touched += !equal(expected.color, untouched.color);
+        ASSERT_TRUE(found.guards_hold() && expected.guards_hold()) << "seed " << seed;
+        ASSERT_TRUE(equal(expected.color, found.color)) << "colour, seed " << seed;
+        ASSERT_TRUE(equal(expected.depth, found.depth)) << "depth, seed " << seed;
+        ASSERT_TRUE(equal(expected.stencil, found.stencil)) << "stencil, seed " << seed;
+    }
+    EXPECT_GT(touched, 600);
+}
+
+TEST_P(PixelKernels, FillWhatTheyAreTold) {
+    Random random(1);
+    for (std::size_t count = 16; count <= 4096; count *= 4) {
+        GuardedPlane plane(random, count * 4);
+        auto* const words = reinterpret_cast<std::uint32_t*>(plane.data());
+        GetParam()->fill(words, 0x89abcdef, count);
+        EXPECT_EQ(std::count(words, words + count, 0x89abcdefu), static_cast<std::ptrdiff_t>(count));
+        EXPECT_TRUE(plane.guards_hold());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, PixelKernels,
+                         testing::ValuesIn(compiled_kernels().begin(), compiled_kernels().end()),
+                         [](const auto& info) { return simd::isa_name(info.param->isa); });
+
+}  // namespace
+}  // namespace terrazzo::raster
