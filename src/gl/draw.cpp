@@ -7,6 +7,7 @@
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/translate.h"
+#include "raster/color_format.h"
 
 namespace terrazzo::gl {
 
@@ -66,6 +67,12 @@ void clear(Context& ctx, GLbitfield mask) {
     clear.y0 = static_cast<std::int16_t>(box.y0);
     clear.x1 = static_cast<std::int16_t>(box.x1);
     clear.y1 = static_cast<std::int16_t>(box.y1);
+    // The reference draws a rectangle where it cannot clear all of the buffer, and rounds as for that.
+    const std::uint8_t channels = target.has_alpha ? 0xf : 0x7;
+    const bool whole =
+        box.x0 == 0 && box.y0 == 0 && box.x1 == ctx.surface.width && box.y1 == ctx.surface.height;
+    if (!whole || (clear.color_mask & channels) != channels)
+        raster::round_as_drawn(target.color, clear.values.color);
     ctx.surface.drawn = true;
     ctx.renderer.clear(clear);
 }

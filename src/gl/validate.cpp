@@ -225,7 +225,7 @@ void make_tests(const Context& ctx, raster::FragmentState& out) {
     out.stencil[1] = out.stencil[0];
     const AlphaTestState& alpha = ops.color.alpha_test;
     key.alpha_func = alpha.enabled ? translate_compare(alpha.func) : raster::Compare::kAlways;
-    out.alpha_reference = unit(alpha.reference);
+    out.alpha_reference = alpha.reference;
 }
 
 void make_blending(const Context& ctx, raster::FragmentState& out) {
@@ -261,9 +261,14 @@ void make_fog(const Context& ctx, raster::FragmentState& out) {
                   : fog.mode == GL_EXP    ? raster::FogMode::kExp
                                           : raster::FogMode::kExp2;
     std::transform(fog.color.begin(), fog.color.end(), out.fog_color, unit);
-    out.fog_density = fog.density;
-    out.fog_start = fog.start;
-    out.fog_end = fog.end;
+    // The reference's roundings (doc/reference.md §4).
+    if (fog.mode == GL_LINEAR) {
+        out.fog_scale = fog.end == fog.start ? 1.0f : -1.0f / (fog.end - fog.start);
+        out.fog_bias = fog.end * -out.fog_scale;
+    } else {
+        constexpr double kLog2E = 1.4426950408889634, kSqrtLog2E = 1.201122408786449815;
+        out.fog_scale = static_cast<float>(fog.density * (fog.mode == GL_EXP ? kLog2E : kSqrtLog2E));
+    }
 }
 
 raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_units,
@@ -315,6 +320,8 @@ void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, boo
     const pipeline::VertexState& vertex = ctx.drawing.state.vertex;
     key.perspective = !(vertex.affine && w_is_one);
     key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
+    // Without perspective a constant plane is as good.
+    key.flat_color = key.perspective && key.interpolated_color && ctx.lighting.shade_model == GL_FLAT;
     key.separate_specular =
         ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
 }

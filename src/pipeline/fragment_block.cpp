@@ -1,6 +1,8 @@
 // Completing a fragment state; see fragment_block.h.
 #include "pipeline/fragment_block.h"
 
+#include <cmath>
+
 #include "raster/kernel_table.h"
 
 namespace terrazzo::pipeline {
@@ -14,6 +16,24 @@ void add_coverage(raster::FragmentState& state, raster::Coverage coverage) {
     state.varyings.count = static_cast<uint8_t>(state.varyings.count + 4);
 }
 
+void weigh_errors(raster::FragmentState& state) {
+    const raster::Varyings& v = state.varyings;
+    auto& weights = state.error_weights;
+    weights.fill(1.0f);  // colours, coverage
+    if (v.fog >= 0) weights[static_cast<size_t>(v.fog)] = std::fabs(state.fog_scale);
+    for (int i = 0; i < state.texture_count; ++i) {
+        const raster::TextureStage& stage = state.textures[i];
+        const raster::MipLevel& level = stage.sampler.levels[0];
+        const auto first = static_cast<size_t>(v.texture[stage.unit]);
+        // Neighbouring texels seldom differ by more than an eighth of the range. General sampling has exact
+        // coordinates in any case.
+        const bool exact = state.key.texture == raster::TextureKind::kGeneral;
+        weights[first] = exact ? 0.0f : static_cast<float>(level.width) / 8;
+        weights[first + 1] = exact ? 0.0f : static_cast<float>(level.height) / 8;
+        if (v.projective >> stage.unit & 1) weights[first + 2] = weights[first + 3] = 0.0f;
+    }
+}
+
 }  // namespace
 
 void FragmentBlock::complete(bool smooth_lines, bool smooth_points) {
@@ -25,8 +45,10 @@ void FragmentBlock::complete(bool smooth_lines, bool smooth_points) {
     point = line;
     if (smooth_lines) add_coverage(line, raster::Coverage::kLine);
     if (smooth_points) add_coverage(point, raster::Coverage::kPoint);
-    for (raster::FragmentState* const state : {&fill, &line, &point})
+    for (raster::FragmentState* const state : {&fill, &line, &point}) {
+        weigh_errors(*state);
         state->kernel = raster::kernels().select_kernel(state->key);
+    }
 }
 
 }  // namespace terrazzo::pipeline

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 
+#include "pipeline/float_environment.h"
 #include "pipeline/workers.h"
 #include "raster/clear.h"
 
@@ -98,6 +99,7 @@ void Frame::add(const BinClear& clear) {
 }
 
 void Frame::draw_bin(int index) const {
+    const FloatEnvironment environment;
     const BinList& list = m_bins[static_cast<size_t>(index)];
     raster::Bin bin = m_target->bin(index);
     const auto draw = raster::kernels().draw_primitive;

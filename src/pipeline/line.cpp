@@ -135,8 +135,12 @@ void PrimitiveSetup::line(int a, int b) {
     const raster::Varyings& varyings = m_state.vertex.varyings;
     for (int i = 0; i < varyings.count; ++i) {
         const float* const column = m_vertices.column(kFirstVarying + i);
-        const int first = m_state.raster.flat && varyings.is_color(i) ? b : a;  // the last vertex provokes
-        plane(2 + i, column[first] * oow[a], column[b] * oow[b]);
+        if (m_state.raster.flat && varyings.is_color(i)) {
+            a0[2 + i] = column[b];  // the last vertex provokes
+            dadx[2 + i] = dady[2 + i] = 0;
+        } else {
+            plane(2 + i, column[a] * oow[a], column[b] * oow[b]);
+        }
     }
     m_frame.add(*primitive);
 }

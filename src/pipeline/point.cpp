@@ -33,8 +33,10 @@ void PrimitiveSetup::point(int v) {
     const float oow = m_vertices.column(kWindowOow)[v];
     planes[0] = m_vertices.column(kWindowZ)[v];
     planes[1] = oow;
-    for (int i = 0; i < p->plane_count - 2; ++i)
-        planes[2 + i] = m_vertices.column(kFirstVarying + i)[v] * oow;
+    for (int i = 0; i < p->plane_count - 2; ++i) {
+        const float value = m_vertices.column(kFirstVarying + i)[v];
+        planes[2 + i] = m_state.raster.flat && state.varyings.is_color(i) ? value : value * oow;
+    }
     m_frame.add(*p);
 }
 

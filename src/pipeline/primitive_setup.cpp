@@ -60,6 +60,7 @@ Primitive* PrimitiveSetup::new_primitive(const raster::FragmentState& state, con
     p->edge_count = static_cast<uint8_t>(edge_count);
     p->plane_count = static_cast<uint8_t>(plane_count);
     p->back_facing = false;
+    p->steep = false;
     p->depth_offset = 0;
     return p;
 }

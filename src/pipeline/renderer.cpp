@@ -2,6 +2,7 @@
 #include "pipeline/renderer.h"
 
 #include "pipeline/assemble.h"
+#include "pipeline/float_environment.h"
 
 namespace terrazzo::pipeline {
 
@@ -12,6 +13,7 @@ void Renderer::set_target(std::shared_ptr<raster::Target> target) {
 void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
                     const VertexRange& range) {
     if (m_frame.target() == nullptr) return;
+    const FloatEnvironment environment;
     PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
 }
 

@@ -38,6 +38,16 @@ struct PlaneArrays {
     alignas(64) float values[3][raster::kMaxPlanes][16];
 };
 
+// Bounds the error of a plane that is evaluated without fused steps, relative to the least 1/w of its
+// triangle.
+struct ErrorBound {
+    F32x16 x, y;     // no pixel of the triangle lies beyond
+    F32x16 largest;  // the largest sum of a plane's terms so far
+};
+
+// The error of a sum is below 2^-23 of its terms' sizes: beyond this, more than an eighth of 1/255.
+inline constexpr float kVisibleTerms = 4096;
+
 TERRAZZO_INLINE void store_plane(const PlaneBasis& basis, const Corners& a, int plane, PlaneArrays& out) {
     const F32x16 da01 = a.v0 - a.v1, da20 = a.v2 - a.v0;
     const F32x16 dadx = da01 * basis.dy20 - da20 * basis.dy01;
@@ -53,9 +63,15 @@ TERRAZZO_INLINE void store_constant_plane(F32x16 value, int plane, PlaneArrays& 
     store(F32x16(0.0f), out.values[2][plane]);
 }
 
+TERRAZZO_INLINE void bound_error(const PlaneArrays& planes, int plane, float weight, ErrorBound& bound) {
+    const auto size = [&](int part) { return abs(load(planes.values[part][plane])); };
+    const F32x16 terms = size(0) + size(1) * bound.x + size(2) * bound.y;
+    bound.largest = max(bound.largest, terms * F32x16(weight));
+}
+
 inline void store_varyings(const TriangleSetup& setup, const ShadedVertices& vertices,
                            const CornerIndices& index, const Corners& oow, const PlaneBasis& basis,
-                           Mask16 back_facing, PlaneArrays& planes) {
+                           Mask16 back_facing, PlaneArrays& planes, ErrorBound& bound) {
     const raster::Varyings& v = setup.state->varyings;
     const bool perspective = setup.state->key.perspective;
     for (int i = 0; i < v.count; ++i) {
@@ -66,20 +82,24 @@ inline void store_varyings(const TriangleSetup& setup, const ShadedVertices& ver
             a = {select(back_facing, b.v0, a.v0), select(back_facing, b.v1, a.v1),
                  select(back_facing, b.v2, a.v2)};
         }
-        if (color && setup.flat) a.v0 = a.v1 = a.v2;
-        if (perspective) a = {a.v0 * oow.v0, a.v1 * oow.v1, a.v2 * oow.v2};
-        if (color && setup.flat && !perspective) {
+        if (color && setup.flat) {
             store_constant_plane(a.v2, 2 + i, planes);
-        } else {
-            store_plane(basis, a, 2 + i, planes);
+            continue;
         }
+        if (perspective) a = {a.v0 * oow.v0, a.v1 * oow.v1, a.v2 * oow.v2};
+        store_plane(basis, a, 2 + i, planes);
+        bound_error(planes, 2 + i, setup.state->error_weights[static_cast<size_t>(i)], bound);
     }
 }
 
-// Window-space slope of depth for polygon offset (GL 1.5 §3.5.5): m * factor + r * units.
-TERRAZZO_INLINE F32x16 depth_offset(const TriangleSetup& setup, const PlaneArrays& planes) {
-    const F32x16 slope = max(abs(load(planes.values[1][0])), abs(load(planes.values[2][0])));
-    return slope * F32x16(setup.offset_factor) + F32x16(setup.offset_units);
+// Window-space slope of depth for polygon offset (GL 1.5 §3.5.5): m * factor + r * units. The sides are not
+// yet divided by the area.
+TERRAZZO_INLINE F32x16 depth_offset(const TriangleSetup& setup, const PlaneBasis& sides, F32x16 ooa,
+                                    const Corners& z) {
+    const F32x16 dz01 = z.v0 - z.v1, dz20 = z.v2 - z.v0;
+    const F32x16 slope_x = abs((dz20 * sides.dy01 - sides.dy20 * dz01) * ooa);
+    const F32x16 slope_y = abs((sides.dx20 * dz01 - dz20 * sides.dx01) * ooa);
+    return max(slope_x, slope_y) * F32x16(setup.offset_factor) + F32x16(setup.offset_units);
 }
 
 struct SnappedTriangles {
@@ -89,7 +109,7 @@ struct SnappedTriangles {
 };
 
 TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTriangles& t,
-                                     const PlaneArrays& planes, int lane, bool back_facing,
+                                     const PlaneArrays& planes, int lane, bool back_facing, bool steep,
                                      PrimitiveSink& sink) {
     const int plane_count = 2 + setup.state->varyings.count;
     Primitive* const primitive = sink.allocate(sink, plane_count);
@@ -102,6 +122,7 @@ TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTr
     primitive->edge_count = 3;
     primitive->plane_count = static_cast<uint8_t>(plane_count);
     primitive->back_facing = back_facing;
+    primitive->steep = steep;
     primitive->depth_offset = t.offset[lane];
     for (int e = 0; e < 3; ++e) {
         const int next = e == 2 ? 0 : e + 1;
@@ -181,21 +202,26 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
     PlaneBasis basis{x.v0 - x.v1, y.v0 - y.v1,         x.v2 - x.v0,
                      y.v2 - y.v0, x.v0 - F32x16(0.5f), y.v0 - F32x16(0.5f)};
     const F32x16 ooa = F32x16(1.0f) / (basis.dx01 * basis.dy20 - basis.dy01 * basis.dx20);
+    const Corners z = corners(vertices.column(kWindowZ), index);
+    store(setup.offset ? depth_offset(setup, basis, ooa, z) : F32x16(0.0f), t.offset);
     basis.dx01 = basis.dx01 * ooa, basis.dy01 = basis.dy01 * ooa;
     basis.dx20 = basis.dx20 * ooa, basis.dy20 = basis.dy20 * ooa;
 
     PlaneArrays planes;
-    store_plane(basis, corners(vertices.column(kWindowZ), index), 0, planes);
+    store_plane(basis, z, 0, planes);
     const Corners oow = corners(vertices.column(kWindowOow), index);
     store_plane(basis, oow, 1, planes);
-    store_varyings(setup, vertices, index, oow, basis, back, planes);
-    store(setup.offset ? depth_offset(setup, planes) : F32x16(0.0f), t.offset);
+    ErrorBound bound{to_float(box_x1), to_float(box_y1), F32x16(0.0f)};
+    bound_error(planes, 1, 1.0f, bound);
+    store_varyings(setup, vertices, index, oow, basis, back, planes, bound);
+    const F32x16 least_oow = min(min(oow.v0, oow.v1), oow.v2);
+    const uint32_t steep_bits = bits_of(bound.largest > least_oow * F32x16(kVisibleTerms));
 
     const uint32_t back_bits = bits_of(back);
     while (alive != 0) {
         const int lane = std::countr_zero(alive);
         alive &= alive - 1;
-        write_primitive(setup, t, planes, lane, back_bits >> lane & 1, sink);
+        write_primitive(setup, t, planes, lane, back_bits >> lane & 1, steep_bits >> lane & 1, sink);
     }
 }
 

@@ -1,5 +1,5 @@
-// Colours of one pixel in each ColorFormat, for clears and read-back: the kernels have their own wide
-// versions in pixel/write.h that give the same bits.
+// Clear colours in each ColorFormat. Drawn colours come from pixel/write.h, which rounds halves otherwise in
+// all but the eight-bit formats, as the reference does (doc/reference.md §4).
 #pragma once
 
 #include <cmath>
@@ -11,11 +11,29 @@
 
 namespace terrazzo::raster {
 
-// f in [0, 1] to n bits, round to nearest; below 0 and NaN to 0, above 1 to the maximum.
+// f in [0, 1] to n bits; below 0 and NaN to 0, above 1 to the maximum. Halves go to the even neighbour.
 inline uint32_t float_to_unorm(float f, uint32_t maximum) {
     if (!(f > 0)) return 0;
     if (f >= 1) return maximum;
     return static_cast<uint32_t>(std::lrintf(f * static_cast<float>(maximum)));
+}
+// The same but for halves, which go up: how the reference clears all but eight-bit channels.
+inline uint32_t clear_to_unorm(float f, uint32_t maximum) {
+    if (!(f > 0)) return 0;
+    if (f >= 1) return maximum;
+    return static_cast<uint32_t>(f * static_cast<float>(maximum) + 0.5f);
+}
+
+// What a fragment of this colour would leave in a buffer of the format.
+inline void round_as_drawn(ColorFormat format, float color[4]) {
+    if (format == ColorFormat::kRgb565) {
+        // By way of eight bits, then cut off (doc/reference.md §4).
+        color[0] = static_cast<float>(float_to_unorm(color[0], 255) >> 3) / 31;
+        color[1] = static_cast<float>(float_to_unorm(color[1], 255) >> 2) / 63;
+        color[2] = static_cast<float>(float_to_unorm(color[2], 255) >> 3) / 31;
+    } else if (format == ColorFormat::kRgba16) {
+        for (int c = 0; c < 4; ++c) color[c] = static_cast<float>(float_to_unorm(color[c], 65535)) / 65535;
+    }
 }
 
 inline void encode_color(ColorFormat format, const float color[4], std::byte* out) {
@@ -26,14 +44,14 @@ inline void encode_color(ColorFormat format, const float color[4], std::byte* ou
         }
         case ColorFormat::kRgb565: {
             const uint16_t packed =
-                static_cast<uint16_t>(float_to_unorm(color[0], 31) << 11 | float_to_unorm(color[1], 63) << 5 |
-                                      float_to_unorm(color[2], 31));
+                static_cast<uint16_t>(clear_to_unorm(color[0], 31) << 11 | clear_to_unorm(color[1], 63) << 5 |
+                                      clear_to_unorm(color[2], 31));
             std::memcpy(out, &packed, sizeof packed);
             return;
         }
         case ColorFormat::kRgba16: {
             uint16_t packed[4];
-            for (int c = 0; c < 4; ++c) packed[c] = static_cast<uint16_t>(float_to_unorm(color[c], 65535));
+            for (int c = 0; c < 4; ++c) packed[c] = static_cast<uint16_t>(clear_to_unorm(color[c], 65535));
             std::memcpy(out, packed, sizeof packed);
             return;
         }

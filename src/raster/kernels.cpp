@@ -92,7 +92,9 @@ void draw_primitive(const Primitive& primitive, Bin& bin) {
             cover_bin<4>(primitive, bin, list);
             break;
     }
-    if (list.count != 0) primitive.state->kernel(*primitive.state, primitive, bin, list);
+    if (list.count == 0) return;
+    const TileKernel kernel = primitive.steep ? general_kernel : primitive.state->kernel;
+    kernel(*primitive.state, primitive, bin, list);
 }
 
 }  // namespace

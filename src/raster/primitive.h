@@ -40,7 +40,7 @@ struct Primitive {
     uint8_t edge_count;      // 0 (the whole rectangle), 3 or 4
     uint8_t plane_count;     // 2 + varyings.count
     bool back_facing;
-    uint8_t reserved;
+    bool steep;  // planes so steep that their rounding shows: interpolated as exactly as the reference does
     float depth_offset;  // added to z of each fragment where the key says so
     uint32_t reserved2;
     Edge edges[4];

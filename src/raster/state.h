@@ -145,6 +145,7 @@ struct FragmentKey {
     Coverage coverage = Coverage::kNone;
     bool perspective = true;         // some 1/w of the draw is not 1
     bool interpolated_color = true;  // otherwise FragmentState::constant_color
+    bool flat_color = false;         // colours are their planes' origins as they stand
     bool separate_specular = false;  // a secondary colour is added after texturing
     TextureKind texture = TextureKind::kNone;
 
@@ -197,7 +198,8 @@ struct FragmentState {
     float constant_color[4] = {1, 1, 1, 1};
     float alpha_reference = 0;
     float fog_color[4] = {};
-    float fog_density = 1, fog_start = 0, fog_end = 1;
+    // Linear: scale * z + bias; exponential: 2^-(scale * z); squared: 2^-(scale * z)^2.
+    float fog_scale = 1, fog_bias = 0;
     BlendFactor blend_source_rgb = BlendFactor::kOne, blend_source_alpha = BlendFactor::kOne;
     BlendFactor blend_destination_rgb = BlendFactor::kZero, blend_destination_alpha = BlendFactor::kZero;
     BlendEquation blend_equation_rgb = BlendEquation::kAdd, blend_equation_alpha = BlendEquation::kAdd;
@@ -207,6 +209,9 @@ struct FragmentState {
     const uint32_t* polygon_stipple =
         nullptr;                            // 32 rows from the bottom, bit 31 leftmost; lives in the frame
     int32_t target_height_for_stipple = 0;  // of a target whose row 0 is the top; 0 where row 0 is the bottom
+
+    // What an error of a varying's plane does to the colour, as a share of its range.
+    std::array<float, kMaxPlanes> error_weights{};
 
     const TextureStage* textures = nullptr;  // texture_count of them; in the frame's memory
 };

@@ -1,6 +1,6 @@
-// Blending (GL 1.5 §4.1.7). Against 8-bit colours in 8-bit arithmetic, as the reference does it: the source
-// is quantised first, products are (ab + (ab >> 8) + 128) >> 8 and sums saturate; other formats blend as
-// floats.
+// Blending (GL 1.5 §4.1.7). Against integer colours in integers, as the reference does it: the source is
+// quantised first, products of n bits are (ab + (ab >> n) + 2^(n-1)) >> n and sums saturate. Float colours
+// blend as floats.
 #pragma once
 
 #include "raster/pixel/color.h"
@@ -10,9 +10,10 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-// The arithmetic of one channel: 8-bit integers or floats behind the same names.
+// The arithmetic of one channel: 8-bit or 16-bit integers or floats behind the same names.
 struct Channel8 {
     using Value = I32x16;
+    static constexpr bool kTakesFactorOut = false;
     static TERRAZZO_INLINE Value one() { return I32x16(255); }
     static TERRAZZO_INLINE Value zero() { return I32x16(0); }
     static TERRAZZO_INLINE Value constant(float f) { return to_unorm8(F32x16(f)); }
@@ -23,8 +24,22 @@ struct Channel8 {
     static TERRAZZO_INLINE Value add(Value a, Value b) { return min(a + b, I32x16(255)); }
     static TERRAZZO_INLINE Value subtract(Value a, Value b) { return max(a - b, I32x16(0)); }
 };
+struct Channel16 {
+    using Value = I32x16;
+    static constexpr bool kTakesFactorOut = false;
+    static TERRAZZO_INLINE Value one() { return I32x16(65535); }
+    static TERRAZZO_INLINE Value zero() { return I32x16(0); }
+    static TERRAZZO_INLINE Value constant(float f) { return to_unorm(F32x16(f), 65535.0f); }
+    static TERRAZZO_INLINE Value multiply(Value a, Value b) {
+        const I32x16 ab = a * b;  // of 32 bits without a sign
+        return shift_right_logical<16>(ab + shift_right_logical<16>(ab) + I32x16(32768));
+    }
+    static TERRAZZO_INLINE Value add(Value a, Value b) { return min(a + b, I32x16(65535)); }
+    static TERRAZZO_INLINE Value subtract(Value a, Value b) { return max(a - b, I32x16(0)); }
+};
 struct ChannelF {
     using Value = F32x16;
+    static constexpr bool kTakesFactorOut = true;
     static TERRAZZO_INLINE Value one() { return F32x16(1.0f); }
     static TERRAZZO_INLINE Value zero() { return F32x16(0.0f); }
     static TERRAZZO_INLINE Value constant(float f) { return F32x16(f); }
@@ -85,21 +100,21 @@ TERRAZZO_INLINE typename Channel::Value blend_channel(const FragmentState& state
     const auto s = in.source[channel], d = in.destination[channel];
     if (equation == BlendEquation::kMin) return min(s, d);
     if (equation == BlendEquation::kMax) return max(s, d);
+    const auto combined = [&](typename Channel::Value a, typename Channel::Value b) {
+        if (equation == BlendEquation::kSubtract) return Channel::subtract(a, b);
+        if (equation == BlendEquation::kReverseSubtract) return Channel::subtract(b, a);
+        return Channel::add(a, b);
+    };
     const auto weigh = [&](BlendFactor factor, typename Channel::Value v) {
         if (factor == BlendFactor::kOne) return v;
         if (factor == BlendFactor::kZero) return Channel::zero();
         return Channel::multiply(v, blend_factor<Channel>(factor, in, state.blend_color, channel));
     };
-    const auto sf = weigh(alpha ? state.blend_source_alpha : state.blend_source_rgb, s);
-    const auto df = weigh(alpha ? state.blend_destination_alpha : state.blend_destination_rgb, d);
-    switch (equation) {
-        case BlendEquation::kSubtract:
-            return Channel::subtract(sf, df);
-        case BlendEquation::kReverseSubtract:
-            return Channel::subtract(df, sf);
-        default:
-            return Channel::add(sf, df);
-    }
+    const BlendFactor source = alpha ? state.blend_source_alpha : state.blend_source_rgb;
+    const BlendFactor destination = alpha ? state.blend_destination_alpha : state.blend_destination_rgb;
+    // The reference takes the factor out where there is one alone, which rounds floats differently.
+    if (Channel::kTakesFactorOut && source == destination) return weigh(source, combined(s, d));
+    return combined(weigh(source, s), weigh(destination, d));
 }
 
 template <class Channel>

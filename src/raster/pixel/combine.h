@@ -44,10 +44,10 @@ TERRAZZO_NOINLINE Color combine(const TextureStage& stage, const Color& f, const
             return out;
         }
         case EnvMode::kAdd: {
-            const F32x16 one(1.0f);
-            if (has_color) out = {min(f.r + t.r, one), min(f.g + t.g, one), min(f.b + t.b, one), f.a};
+            const auto sum = [](F32x16 a, F32x16 b) { return clamp(a + b, F32x16(0.0f), F32x16(1.0f)); };
+            if (has_color) out = {sum(f.r, t.r), sum(f.g, t.g), sum(f.b, t.b), f.a};
             if (base == BaseFormat::kIntensity) {
-                out.a = min(f.a + t.a, one);
+                out.a = sum(f.a, t.a);
             } else if (has_alpha) {
                 out.a = f.a * t.a;
             }

@@ -9,25 +9,20 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 // Mixes the fog colour in; `distance` is the fog coordinate.
 TERRAZZO_NOINLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 distance, Color& color) {
-    constexpr float kLog2E = 1.44269504f, kSqrtLog2E = 1.20112241f;
+    const F32x16 scaled = distance * F32x16(state.fog_scale);
     F32x16 f(1.0f);
     switch (mode) {
         case FogMode::kNone:
             return;
-        case FogMode::kLinear: {
-            const float range = state.fog_end - state.fog_start;
-            const float scale = range == 0 ? 1.0f : 1.0f / range;
-            f = F32x16(state.fog_end * scale) - distance * F32x16(scale);
+        case FogMode::kLinear:
+            f = scaled + F32x16(state.fog_bias);
             break;
-        }
         case FogMode::kExp:
-            f = exp2(-abs(distance * F32x16(state.fog_density * kLog2E)));
+            f = exp2(-scaled);
             break;
-        case FogMode::kExp2: {
-            const F32x16 scaled = distance * F32x16(state.fog_density * kSqrtLog2E);
+        case FogMode::kExp2:
             f = exp2(-(scaled * scaled));
             break;
-        }
     }
     f = clamp(f, F32x16(0.0f), F32x16(1.0f));
     const F32x16 rest = F32x16(1.0f) - f;
@@ -36,11 +31,11 @@ TERRAZZO_NOINLINE void apply_fog(FogMode mode, const FragmentState& state, F32x1
     color.b = color.b * f + F32x16(state.fog_color[2]) * rest;
 }
 
-// Which fragments pass; compared as the colour buffer would store alpha, in eight bits, unless it holds
+// Which fragments pass; compared in eight bits where the colour buffer has eight bits of alpha, else as
 // floats.
 TERRAZZO_NOINLINE Mask16 alpha_test(Compare func, const FragmentState& state, ColorFormat format,
                                     F32x16 alpha) {
-    if (format == ColorFormat::kRgba32F) {
+    if (format != ColorFormat::kRgba8) {
         const F32x16 reference(state.alpha_reference);
         switch (func) {
             case Compare::kNever:

@@ -2,8 +2,9 @@
 //
 // Depth is what the reference computes with two fused multiply-adds, fma(dz/dy, y, fma(dz/dx, x, a0)), got
 // without them: the products of a float and a pixel number are exact in double, so a column's inner sum is
-// rounded to float once and a pixel is one double addition and one rounding. Other varyings need no such
-// care: they use plain multiplications and additions relative to pixel coordinates.
+// rounded to float once and a pixel is one double addition and one rounding. Other varyings use plain
+// multiplications and additions, whose error set-up has found too small to be seen; where it has not
+// (slivers, Primitive::steep) they are as exact as depth.
 #pragma once
 
 #include "raster/primitive.h"
@@ -62,8 +63,9 @@ class ExactPlane {
 // The varyings of one primitive, evaluated a tile at a time.
 class Interpolator {
   public:
-    TERRAZZO_INLINE explicit Interpolator(const Primitive& primitive)
-        : m_a0(primitive.a0()),
+    TERRAZZO_INLINE Interpolator(const Primitive& primitive, bool steep)
+        : m_steep(steep),
+          m_a0(primitive.a0()),
           m_dadx(primitive.dadx()),
           m_dady(primitive.dady()),
           m_depth(m_a0[0], m_dadx[0], m_dady[0]) {}
@@ -75,6 +77,7 @@ class Interpolator {
         m_y = to_float(lane_y() + I32x16(y));
     }
     TERRAZZO_INLINE F32x16 plane(int index) const {
+        if (m_steep) return steep_plane(index);
         return F32x16(m_a0[index]) + F32x16(m_dadx[index]) * m_x + F32x16(m_dady[index]) * m_y;
     }
     TERRAZZO_INLINE F32x16 depth() const { return m_depth.at(m_tile_x, m_tile_y); }
@@ -82,7 +85,9 @@ class Interpolator {
     TERRAZZO_INLINE F32x16 w() const { return F32x16(1.0f) / plane(1); }
     // A varying's plane; they follow z and 1/w.
     TERRAZZO_INLINE F32x16 varying(int index) const { return plane(2 + index); }
-    // The same two, rounded as the reference rounds them.
+    // One that is the same at every pixel.
+    TERRAZZO_INLINE F32x16 constant(int index) const { return F32x16(m_a0[2 + index]); }
+    // w() and varying(), rounded as the reference rounds them.
     TERRAZZO_INLINE F32x16 exact_w() const { return F32x16(1.0f) / exact_plane(1); }
     TERRAZZO_INLINE F32x16 exact_varying(int index) const { return exact_plane(2 + index); }
 
@@ -91,6 +96,9 @@ class Interpolator {
         return ExactPlane(m_a0[index], m_dadx[index], m_dady[index]).at(m_tile_x, m_tile_y);
     }
 
+    TERRAZZO_NOINLINE F32x16 steep_plane(int index) const { return exact_plane(index); }
+
+    bool m_steep;
     const float *m_a0, *m_dadx, *m_dady;
     ExactPlane m_depth;
     int m_tile_x = 0, m_tile_y = 0;

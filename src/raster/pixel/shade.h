@@ -16,12 +16,15 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
+// Steep primitives are for the general kernel.
 template <FragmentKey kKey>
 struct ConstantKey {
     static constexpr FragmentKey value = kKey;
+    static constexpr bool kTakesSteep = false;
 };
 struct RuntimeKey {
     const FragmentKey& value;
+    static constexpr bool kTakesSteep = true;
 };
 
 // Which pixels of a tile the 32x32 polygon stipple lets through. `y` counts upwards in the window.
@@ -38,6 +41,8 @@ template <class Key>
 TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const Interpolator& at, F32x16 w) {
     if (!key.value.interpolated_color) return uniform_color(state.constant_color);
     const int first = state.varyings.color;
+    if (key.value.flat_color)
+        return {at.constant(first), at.constant(first + 1), at.constant(first + 2), at.constant(first + 3)};
     Color c{at.varying(first), at.varying(first + 1), at.varying(first + 2), at.varying(first + 3)};
     if (key.value.perspective) c = {c.r * w, c.g * w, c.b * w, c.a * w};
     return c;
@@ -86,9 +91,12 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
     if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, color, mask);
     if (k.separate_specular) {
         const int first = state.varyings.secondary;
-        color.r = color.r + at.varying(first) * w;
-        color.g = color.g + at.varying(first + 1) * w;
-        color.b = color.b + at.varying(first + 2) * w;
+        const auto second = [&](int i) {
+            return k.flat_color ? at.constant(first + i) : at.varying(first + i) * w;
+        };
+        color.r = color.r + second(0);
+        color.g = color.g + second(1);
+        color.b = color.b + second(2);
     }
     if (k.fog != FogMode::kNone) apply_fog(k.fog, state, at.varying(state.varyings.fog) * w, color);
     if (k.coverage != Coverage::kNone) mask = apply_coverage(k.coverage, state, at, w, color.a, mask);
@@ -99,7 +107,7 @@ template <class Key>
 TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Primitive& primitive, Bin& bin,
                                  const TileList& list) {
     const FragmentKey& k = key.value;
-    Interpolator at(primitive);
+    Interpolator at(primitive, Key::kTakesSteep && primitive.steep);
     // Where nothing that comes before the depth test can discard a fragment, the test comes first.
     const bool early = k.alpha_func == Compare::kAlways && k.coverage != Coverage::kPoint;
     for (int i = 0; i < list.count; ++i) {

@@ -86,24 +86,6 @@ TERRAZZO_INLINE void write_packed_rgba8(I32x16 packed, uint32_t mask, Bin& bin, 
     store_pixels(packed, mask, reinterpret_cast<uint32_t*>(bin.color) + tile * kTilePixels);
 }
 
-// The formats no hot path uses: a pixel's channels as floats in memory, blended as floats.
-struct TileColors {
-    alignas(64) float channel[4][16];
-};
-inline void decode_tile(ColorFormat format, const std::byte* tile, TileColors& out) {
-    for (int i = 0; i < 16; ++i) {
-        if (format == ColorFormat::kRgba16) {
-            uint16_t v[4];
-            std::memcpy(v, tile + i * 8, sizeof v);
-            for (int c = 0; c < 4; ++c) out.channel[c][i] = static_cast<float>(v[c]) * (1.0f / 65535.0f);
-        } else {
-            float v[4];
-            std::memcpy(v, tile + i * 16, sizeof v);
-            for (int c = 0; c < 4; ++c) out.channel[c][i] = v[c];
-        }
-    }
-}
-
 // 5-6-5 pixels live as eight bits a channel while they are worked on: widened by repeating their top bits,
 // cut off again at the end (doc/reference.md §4).
 inline I32x16 load_rgb565(const std::byte* tile) {
@@ -131,43 +113,64 @@ TERRAZZO_NOINLINE void write_rgb565(Key key, const FragmentState& state, const C
     }
 }
 
-// Sixteen bits or a float a channel, blended as floats.
-template <class Key>
-TERRAZZO_NOINLINE void write_wide_format(Key key, const FragmentState& state, const Color& color,
-                                         uint32_t mask, std::byte* tile) {
-    constexpr float kMaximum = 65535.0f;
-    const FragmentKey& k = key.value;
-    const bool is_float = k.color_format == ColorFormat::kRgba32F;
-    TileColors old;
-    decode_tile(k.color_format, tile, old);
-    BlendInput<ChannelF> in;
-    const F32x16 source[4] = {color.r, color.g, color.b, color.a};
-    for (int c = 0; c < 4; ++c) {
-        in.source[c] = is_float ? source[c] : clamp(source[c], F32x16(0.0f), F32x16(1.0f));
-        in.destination[c] = load(old.channel[c]);
+// The pixels of a tile, channels apart: element c of pixel i is at from[4 * i + c].
+template <class Element, class Wide>
+struct TileChannels {
+    alignas(64) Wide channel[4][16];
+
+    void load_from(const std::byte* tile) {
+        Element pixels[16][4];
+        std::memcpy(pixels, tile, sizeof pixels);
+        for (int i = 0; i < 16; ++i)
+            for (int c = 0; c < 4; ++c) channel[c][i] = static_cast<Wide>(pixels[i][c]);
     }
-    if (!state.has_destination_alpha) in.destination[3] = F32x16(1.0f);
-    F32x16 out[4] = {in.source[0], in.source[1], in.source[2], in.source[3]};
-    if (k.blend != BlendKind::kNone) blend_general<ChannelF>(state, in, out);
-    for (int c = 0; c < 4; ++c) {
-        if (!(k.color_mask >> c & 1)) continue;
-        alignas(64) float floats[16];
-        alignas(64) int32_t integers[16];
-        store(out[c], floats);
-        I32x16 v = to_unorm(out[c], kMaximum);
-        if (k.logic_op)
-            v = apply_logic_op(state.logic_op, v, to_unorm(in.destination[c], kMaximum)) & I32x16(65535);
-        store(v, integers);
+    void store_to(std::byte* tile, uint32_t mask, uint32_t color_mask) const {
+        Element pixels[16][4];
+        std::memcpy(pixels, tile, sizeof pixels);
         for (int i = 0; i < 16; ++i) {
             if (!(mask >> i & 1)) continue;
-            if (is_float) {
-                std::memcpy(tile + i * 16 + c * 4, &floats[i], sizeof(float));
-            } else {
-                const uint16_t value = static_cast<uint16_t>(integers[i]);
-                std::memcpy(tile + i * 8 + c * 2, &value, sizeof value);
-            }
+            for (int c = 0; c < 4; ++c)
+                if (color_mask >> c & 1) pixels[i][c] = static_cast<Element>(channel[c][i]);
         }
+        std::memcpy(tile, pixels, sizeof pixels);
     }
+};
+
+template <class Key>
+TERRAZZO_NOINLINE void write_rgba16(Key key, const FragmentState& state, const Color& color, uint32_t mask,
+                                    std::byte* tile) {
+    const FragmentKey& k = key.value;
+    TileChannels<uint16_t, int32_t> pixels;
+    pixels.load_from(tile);
+    BlendInput<Channel16> in;
+    const F32x16 source[4] = {color.r, color.g, color.b, color.a};
+    for (int c = 0; c < 4; ++c) {
+        in.source[c] = to_unorm(source[c], 65535.0f);
+        in.destination[c] = load(pixels.channel[c]);
+    }
+    if (!state.has_destination_alpha) in.destination[3] = Channel16::one();
+    I32x16 out[4] = {in.source[0], in.source[1], in.source[2], in.source[3]};
+    if (k.blend != BlendKind::kNone) blend_general<Channel16>(state, in, out);
+    for (int c = 0; c < 4; ++c) {
+        if (k.logic_op) out[c] = apply_logic_op(state.logic_op, out[c], in.destination[c]) & I32x16(65535);
+        store(out[c], pixels.channel[c]);
+    }
+    pixels.store_to(tile, mask, k.color_mask);
+}
+
+template <class Key>
+TERRAZZO_NOINLINE void write_rgba32f(Key key, const FragmentState& state, const Color& color, uint32_t mask,
+                                     std::byte* tile) {
+    const FragmentKey& k = key.value;
+    TileChannels<float, float> pixels;
+    pixels.load_from(tile);
+    BlendInput<ChannelF> in{{color.r, color.g, color.b, color.a}, {}};
+    for (int c = 0; c < 4; ++c) in.destination[c] = load(pixels.channel[c]);
+    if (!state.has_destination_alpha) in.destination[3] = ChannelF::one();
+    F32x16 out[4] = {color.r, color.g, color.b, color.a};
+    if (k.blend != BlendKind::kNone) blend_general<ChannelF>(state, in, out);
+    for (int c = 0; c < 4; ++c) store(out[c], pixels.channel[c]);
+    pixels.store_to(tile, mask, k.color_mask);
 }
 
 template <class Key>
@@ -177,12 +180,15 @@ TERRAZZO_INLINE void write_color(Key key, const FragmentState& state, const Colo
     if (k.color_mask == 0) return;
     std::byte* const pixels = bin.color + static_cast<size_t>(tile) * kTilePixels *
                                               static_cast<size_t>(bytes_per_pixel(k.color_format));
-    if (k.color_format == ColorFormat::kRgba8) {
-        write_rgba8(key, state, color, mask, pixels);
-    } else if (k.color_format == ColorFormat::kRgb565) {
-        write_rgb565(key, state, color, mask, pixels);
-    } else {
-        write_wide_format(key, state, color, mask, pixels);
+    switch (k.color_format) {
+        case ColorFormat::kRgba8:
+            return write_rgba8(key, state, color, mask, pixels);
+        case ColorFormat::kRgb565:
+            return write_rgb565(key, state, color, mask, pixels);
+        case ColorFormat::kRgba16:
+            return write_rgba16(key, state, color, mask, pixels);
+        case ColorFormat::kRgba32F:
+            return write_rgba32f(key, state, color, mask, pixels);
     }
 }
 
