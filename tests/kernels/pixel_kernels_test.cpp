@@ -65,6 +65,7 @@ struct Scene {
         // Half of the states are those that specialised kernels are made for.
         key.perspective = random.coin();
         key.interpolated_color = random.coin();
+        key.flat_color = key.interpolated_color && random.once_in(4);
         key.texture = random.one_of(kTextures);
         key.depth_test = random.coin();
         key.depth_write = key.depth_test && !random.once_in(4);
@@ -154,8 +155,8 @@ struct Scene {
         for (float& c : state.fog_color) c = random.between(0, 1);
         for (float& c : state.blend_color) c = random.between(0, 1);
         state.alpha_reference = random.between(0, 1);
-        state.fog_density = random.between(0, 2);
-        state.fog_end = random.between(0, 3);
+        state.fog_scale = random.between(-1, 2);
+        state.fog_bias = random.between(0, 3);
         const auto factor = [&] { return static_cast<BlendFactor>(random.below(15)); };
         state.blend_source_rgb = factor(), state.blend_source_alpha = factor();
         state.blend_destination_rgb = factor(), state.blend_destination_alpha = factor();
@@ -182,6 +183,7 @@ struct Scene {
         p.state = &state;
         p.plane_count = static_cast<std::uint8_t>(2 + state.varyings.count);
         p.back_facing = random.coin();
+        p.steep = random.once_in(4);
         p.depth_offset = random.between(-0.1f, 0.1f);
         // Of three rectangles one cuts the bin.
         const auto inset = [&] {
