@@ -84,7 +84,7 @@ inline LightGeometry light_geometry(const Lighting& lighting, const Light& light
     }
     if (light.spot) {
         const F32x16 cosine = -dot(g.to_light, wide3(light.direction));
-        const F32x16 intensity = pow_once_rounded(abs(cosine), F32x16(light.spot_exponent));
+        const F32x16 intensity = pow_fused(abs(cosine), F32x16(light.spot_exponent));
         g.attenuation = select(F32x16(light.spot_cos_cutoff) < cosine, one, zero) * intensity;
     }
     if (light.attenuated) {
@@ -135,13 +135,13 @@ inline void add_light(const Lighting& lighting, const Light& light, const LightG
     F32x16 shine = one;
     if (lighting.no_shininess) {
         // The reference's program takes the cosine for the exponent too where a light is attenuated.
-        if (g.attenuates) shine = pow_once_rounded(max(facing, zero), min(facing, F32x16(128.0f)));
+        if (g.attenuates) shine = pow_fused(max(facing, zero), min(facing, F32x16(128.0f)));
     } else {
         const F32x16 highlight = max(dot(normal, g.half_vector), zero);
         // Up to this the power is finite, and times black it is nothing.
         const bool finite = !any(highlight > F32x16(1.9f));
         if (!material.has_specular && is_black(lit.specular) && finite) return;
-        shine = pow_once_rounded(highlight, max(min(material.shininess, F32x16(128.0f)), F32x16(-128.0f)));
+        shine = pow_fused(highlight, max(min(material.shininess, F32x16(128.0f)), F32x16(-128.0f)));
     }
     shine = select(faces, shine, zero);
     if (g.attenuates) shine = g.attenuation * shine;

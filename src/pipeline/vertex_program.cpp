@@ -24,9 +24,9 @@ I32x16 outcode(const VertexState& state, const Wide4& clip) {
         if (!(state.clip_plane_mask >> p & 1)) continue;
         const float* const plane = state.clip_planes[p];
         F32x16 distance = clip.x * F32x16(plane[0]);
-        distance = multiply_add_once_rounded(clip.y, F32x16(plane[1]), distance);
-        distance = multiply_add_once_rounded(clip.z, F32x16(plane[2]), distance);
-        distance = multiply_add_once_rounded(clip.w, F32x16(plane[3]), distance);
+        distance = fused_multiply_add(clip.y, F32x16(plane[1]), distance);
+        distance = fused_multiply_add(clip.z, F32x16(plane[2]), distance);
+        distance = fused_multiply_add(clip.w, F32x16(plane[3]), distance);
         code = code | flag(distance >= zero, static_cast<uint32_t>(kOutsideUser) << p);
     }
     return code;
@@ -41,7 +41,7 @@ I32x16 snap(F32x16 window) {
 void store_position(const VertexState& state, const Wide4& clip, ShadedVertices& out, int at) {
     const F32x16 oow = F32x16(1.0f) / clip.w;
     const auto window = [&](F32x16 c, int axis) {
-        return multiply_add_once_rounded(c * oow, F32x16(state.viewport_scale[axis]),
+        return fused_multiply_add(c * oow, F32x16(state.viewport_scale[axis]),
                                          F32x16(state.viewport_translate[axis]));
     };
     const F32x16 x = window(clip.x, 0), y = window(clip.y, 1), z = window(clip.z, 2);

@@ -11,13 +11,6 @@
 
 namespace terrazzo::raster {
 
-// One entry of a bin's list.
-struct BinCommand {
-    enum class Kind : uint32_t { kPrimitive, kClear };
-    const void* data;  // Primitive, or BinClear
-    Kind kind;
-};
-
 // A clear in a bin's list: of the whole bin where the rectangle and masks are full, else pixel by pixel.
 struct BinClear {
     ClearPlanes planes;

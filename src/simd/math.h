@@ -1,8 +1,8 @@
 // Elementary functions of 16 lanes, made of multiplications and additions so that every instruction set
 // returns the same bits: the reference's polynomials with its coefficients (doc/reference.md §2.4).
 //
-// pow_once_rounded does the reference's fused steps through double and returns its bits; vertices use it,
-// where an exponent can magnify the last bit. exp2 rounds each step and is off by at most two of the last
+// pow_fused does the reference's fused steps and returns its bits; vertices use it, where an exponent can
+// magnify the last bit. exp2 rounds each step and is off by at most two of the last
 // bits: fragments use it, where that is far below a colour step.
 #pragma once
 
@@ -32,33 +32,32 @@ TERRAZZO_INLINE F32x16 exp2(F32x16 x) {
     return (odd * f + even) * scale;
 }
 
-TERRAZZO_INLINE F32x16 exp2_once_rounded(F32x16 x) {
-    const auto [fraction, scale] = split_exponent(x);
-    const F64x16 f = to_double(fraction), g = to_double(fraction * fraction);
-    const auto step = [&](const F64x16& a, float b) { return multiply_add_once_rounded(g, a, F64x16(b)); };
-    const F64x16 odd = step(step(F64x16(kExp2Odd[2]), kExp2Odd[1]), kExp2Odd[0]);
-    const F64x16 even = step(step(F64x16(kExp2Even[2]), kExp2Even[1]), kExp2Even[0]);
-    return to_float(odd * f + even) * scale;
+TERRAZZO_INLINE F32x16 exp2_fused(F32x16 x) {
+    const auto [f, scale] = split_exponent(x);
+    const F32x16 g = f * f;
+    const auto step = [&](F32x16 a, float b) { return fused_multiply_add(g, a, F32x16(b)); };
+    const F32x16 odd = step(step(F32x16(kExp2Odd[2]), kExp2Odd[1]), kExp2Odd[0]);
+    const F32x16 even = step(step(F32x16(kExp2Even[2]), kExp2Even[1]), kExp2Even[0]);
+    return fused_multiply_add(odd, f, even) * scale;
 }
 
 // For finite normal x > 0.
-TERRAZZO_INLINE F32x16 log2_once_rounded(F32x16 x) {
+TERRAZZO_INLINE F32x16 log2_fused(F32x16 x) {
     const I32x16 bits = as_int(x);
     const F32x16 exponent = to_float(shift_right<23>(bits) - I32x16(127));
     const F32x16 m = as_float((bits & I32x16(0x7fffff)) | I32x16(0x3f800000));
-    const F32x16 quotient = (m - F32x16(1.0f)) / (m + F32x16(1.0f));
-    const F32x16 square = quotient * quotient;
-    const F64x16 t = to_double(quotient), u = to_double(square), v = to_double(square * square);
-    const auto step = [&](const F64x16& a, float b) { return multiply_add_once_rounded(v, a, F64x16(b)); };
-    const F64x16 even =
-        step(step(F64x16(0.406718052498846252698f), 0.577440339438736392009f), 2.88539009343309178325f);
-    const F64x16 odd = step(F64x16(0.403343858251329912514f), 0.961791550404184197881f);
-    return to_float(t * multiply_add_once_rounded(odd, u, even) + to_double(exponent));
+    const F32x16 t = (m - F32x16(1.0f)) / (m + F32x16(1.0f));
+    const F32x16 u = t * t, v = u * u;
+    const auto step = [&](F32x16 a, float b) { return fused_multiply_add(v, a, F32x16(b)); };
+    const F32x16 even =
+        step(step(F32x16(0.406718052498846252698f), 0.577440339438736392009f), 2.88539009343309178325f);
+    const F32x16 odd = step(F32x16(0.403343858251329912514f), 0.961791550404184197881f);
+    return fused_multiply_add(t, fused_multiply_add(odd, u, even), exponent);
 }
 
 // x^y for x >= 0. 0^y is 0, even where y is 0.
-TERRAZZO_INLINE F32x16 pow_once_rounded(F32x16 x, F32x16 y) {
-    return select(x == F32x16(0.0f), F32x16(0.0f), exp2_once_rounded(log2_once_rounded(x) * y));
+TERRAZZO_INLINE F32x16 pow_fused(F32x16 x, F32x16 y) {
+    return select(x == F32x16(0.0f), F32x16(0.0f), exp2_fused(log2_fused(x) * y));
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -3,8 +3,8 @@
 //
 // F32x16, I32x16 and Mask16 hold one lane per pixel of a 4x4 tile, or per vertex or triangle of a batch; they
 // are made of as many native vectors as the instruction set needs (one on AVX-512, sixteen scalars on none).
-// Nothing here fuses, approximates or reassociates: every instruction set computes the same bits (promise
-// P3).
+// Nothing here approximates or reassociates, and only fused_multiply_add fuses: every instruction set
+// computes the same bits (promise P3).
 //
 // A file that includes this is compiled by src/meson.build once per instruction set, with TERRAZZO_ISA naming
 // it, and keeps all its code in namespace TERRAZZO_ISA_NAMESPACE so that no two compilations share a symbol.
@@ -114,7 +114,9 @@ TERRAZZO_INLINE Mask16 operator~(Mask16 a) {
     return r;
 }
 // True where either is NaN; Highway's own answers differ there from one instruction set to the next.
-TERRAZZO_INLINE Mask16 operator!=(F32x16 a, F32x16 b) { return ~(a == b); }
+TERRAZZO_INLINE Mask16 operator!=(F32x16 a, F32x16 b) {
+    return ~(a == b);
+}
 
 // The smaller (larger) of two floats; the second where either is NaN: x86's rule, kept on every instruction
 // set.
@@ -410,98 +412,86 @@ TERRAZZO_INLINE I32x16 lane_y() {
     return shift_right<2>(lane_numbers());
 }
 
-// Sixteen doubles, for what must be more precise than a float before it is rounded to one. (Highway's scalar
-// doubles become floats with infinities cut off.)
 #if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
+// Doubles in vectors as wide as the floats': two cover what one of floats does. (Highway's scalar doubles
+// become floats with infinities cut off.)
 using TagHalfF = hn::Half<TagF>;
 using TagHalfI = hn::Half<TagI>;
 using TagWide = hn::Rebind<double, TagHalfF>;
-inline constexpr int kDoubleParts = 2 * kParts;
-struct F64x16 {
-    hn::Vec<TagWide> part[kDoubleParts];
+using NativeWide = hn::Vec<TagWide>;
+#endif
 
-    F64x16() = default;
-    TERRAZZO_INLINE F64x16(double value) {
-        for (auto& p : part) p = hn::Set(TagWide(), value);
+// a * b + c rounded once, in arithmetic that rounds every step. The product is exact in double; a sum that
+// was rounded to half-way between two floats is moved off it, to where the exact sum lies.
+TERRAZZO_INLINE float fused_multiply_add(float a, float b, float c) {
+    const double product = static_cast<double>(a) * b;
+    const double sum = product + c;
+    uint64_t bits;
+    std::memcpy(&bits, &sum, sizeof bits);
+    if ((bits & 0x1fffffff) != 0x10000000) return static_cast<float>(sum);
+    // What the sum leaves out [Knuth, TAOCP 2, 4.2.2 theorem B].
+    const double of_c = sum - product;
+    const double rest = (product - (sum - of_c)) + (c - of_c);
+    if (rest != 0) {
+        bits += (rest > 0) == (sum > 0) ? 1u : ~uint64_t{0};
+        double moved;
+        std::memcpy(&moved, &bits, sizeof moved);
+        return static_cast<float>(moved);
     }
-};
-TERRAZZO_INLINE F64x16 operator+(const F64x16& a, const F64x16& b) {
-    F64x16 r;
-    for (int p = 0; p < kDoubleParts; ++p) r.part[p] = hn::Add(a.part[p], b.part[p]);
-    return r;
+    return static_cast<float>(sum);
 }
-TERRAZZO_INLINE F64x16 operator*(const F64x16& a, const F64x16& b) {
-    F64x16 r;
-    for (int p = 0; p < kDoubleParts; ++p) r.part[p] = hn::Mul(a.part[p], b.part[p]);
-    return r;
-}
-TERRAZZO_INLINE F64x16 to_double(F32x16 a) {
-    F64x16 r;
-    TERRAZZO_FOR_PARTS {
-        r.part[2 * p] = hn::PromoteTo(TagWide(), hn::LowerHalf(TagHalfF(), a.part[p]));
-        r.part[2 * p + 1] = hn::PromoteTo(TagWide(), hn::UpperHalf(TagHalfF(), a.part[p]));
-    }
-    return r;
-}
-TERRAZZO_INLINE F32x16 to_float(const F64x16& a) {
+
+#if HWY_NATIVE_FMA
+TERRAZZO_INLINE F32x16 fused_multiply_add(F32x16 a, F32x16 b, F32x16 c) {
     F32x16 r;
-    TERRAZZO_FOR_PARTS r.part[p] = hn::Combine(TagF(), hn::DemoteTo(TagHalfF(), a.part[2 * p + 1]),
-                                               hn::DemoteTo(TagHalfF(), a.part[2 * p]));
-    return r;
-}
-// Each to the nearest float, kept as a double.
-TERRAZZO_INLINE F64x16 rounded_to_float(const F64x16& a) {
-    F64x16 r;
-    for (int p = 0; p < kDoubleParts; ++p)
-        r.part[p] = hn::PromoteTo(TagWide(), hn::DemoteTo(TagHalfF(), a.part[p]));
+    TERRAZZO_FOR_PARTS r.part[p] = hn::MulAdd(a.part[p], b.part[p], c.part[p]);
     return r;
 }
 #else
-struct F64x16 {
-    double part[16];
-
-    F64x16() = default;
-    TERRAZZO_INLINE F64x16(double value) {
-        for (double& p : part) p = value;
+TERRAZZO_NOINLINE F32x16 fused_lane_by_lane(F32x16 a, F32x16 b, F32x16 c) {
+    alignas(64) float x[16], y[16], z[16];
+    store(a, x), store(b, y), store(c, z);
+    for (int i = 0; i < 16; ++i) z[i] = fused_multiply_add(x[i], y[i], z[i]);
+    return load(z);
+}
+#if HWY_TARGET != HWY_SCALAR && HWY_HAVE_FLOAT64
+// Collects whether any sum lies half-way between two floats.
+class Ties {
+  public:
+    TERRAZZO_INLINE void add(NativeWide sum) {
+        const auto low = hn::And(hn::BitCast(Tag(), sum), hn::Set(Tag(), 0x1fffffff));
+        m_found = hn::Or(m_found, hn::VecFromMask(Tag(), hn::Eq(low, hn::Set(Tag(), 0x10000000))));
     }
+    TERRAZZO_INLINE bool found() const { return !hn::AllTrue(Tag(), hn::Eq(m_found, hn::Zero(Tag()))); }
+
+  private:
+    using Tag = hn::Repartition<uint64_t, TagWide>;
+    hn::Vec<Tag> m_found = hn::Zero(Tag());
 };
-TERRAZZO_INLINE F64x16 operator+(const F64x16& a, const F64x16& b) {
-    F64x16 r;
-    for (int i = 0; i < 16; ++i) r.part[i] = a.part[i] + b.part[i];
+TERRAZZO_INLINE F32x16 fused_multiply_add(F32x16 a, F32x16 b, F32x16 c) {
+    F32x16 r;
+    Ties ties;
+    TERRAZZO_FOR_PARTS {
+        const auto half = [&](auto take) {
+            const auto sum = hn::Add(hn::Mul(take(a.part[p]), take(b.part[p])), take(c.part[p]));
+            ties.add(sum);
+            return hn::DemoteTo(TagHalfF(), sum);
+        };
+        const auto low =
+            half([](NativeF v) { return hn::PromoteTo(TagWide(), hn::LowerHalf(TagHalfF(), v)); });
+        const auto high =
+            half([](NativeF v) { return hn::PromoteTo(TagWide(), hn::UpperHalf(TagHalfF(), v)); });
+        r.part[p] = hn::Combine(TagF(), high, low);
+    }
+    if (ties.found()) return fused_lane_by_lane(a, b, c);
     return r;
 }
-TERRAZZO_INLINE F64x16 operator*(const F64x16& a, const F64x16& b) {
-    F64x16 r;
-    for (int i = 0; i < 16; ++i) r.part[i] = a.part[i] * b.part[i];
-    return r;
-}
-TERRAZZO_INLINE F64x16 to_double(F32x16 a) {
-    alignas(64) float values[16];
-    store(a, values);
-    F64x16 r;
-    for (int i = 0; i < 16; ++i) r.part[i] = values[i];
-    return r;
-}
-TERRAZZO_INLINE F32x16 to_float(const F64x16& a) {
-    alignas(64) float values[16];
-    for (int i = 0; i < 16; ++i) values[i] = static_cast<float>(a.part[i]);
-    return load(values);
-}
-TERRAZZO_INLINE F64x16 rounded_to_float(const F64x16& a) {
-    F64x16 r;
-    for (int i = 0; i < 16; ++i) r.part[i] = static_cast<float>(a.part[i]);
-    return r;
+#else
+TERRAZZO_INLINE F32x16 fused_multiply_add(F32x16 a, F32x16 b, F32x16 c) {
+    return fused_lane_by_lane(a, b, c);
 }
 #endif
-
-// What a fused multiply-add of floats returns (but for one case in 2^29, where the sum in double falls
-// half-way between floats): the product is exact in double. The same on every instruction set, fused or not.
-TERRAZZO_INLINE F64x16 multiply_add_once_rounded(const F64x16& a, const F64x16& b, const F64x16& c) {
-    return rounded_to_float(a * b + c);
-}
-TERRAZZO_INLINE F32x16 multiply_add_once_rounded(F32x16 a, F32x16 b, F32x16 c) {
-    return to_float(to_double(a) * to_double(b) + to_double(c));
-}
+#endif
 
 // a*b - c*d of integers below 2^25, with the right sign (zero included) and the precision of a float.
 TERRAZZO_INLINE F32x16 cross(I32x16 a, I32x16 b, I32x16 c, I32x16 d) {
