@@ -134,7 +134,8 @@ void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {
         m_next_slot = m_shaded;
         const bool clipped = is_clipped();
         m_filled.cull_unsnapped = clipped;
-        m_first_diagonal = range.in_order && !clipped && !m_state.raster.flat && !m_stages.takes_triangles();
+        m_stages.begin_piece(clipped || (mode == PrimitiveMode::kPoints && misses_edge_flag()));
+        m_direct = !clipped && !m_stages.takes_triangles();
         assemble(piece);
         m_setup.flush();
     }
@@ -189,6 +190,12 @@ bool PrimitiveAssembler::is_clipped() const {
     return any != 0;
 }
 
+bool PrimitiveAssembler::misses_edge_flag() const {
+    for (int slot = 0; slot < m_shaded; ++slot)
+        if (!edge_flag(slot)) return true;
+    return false;
+}
+
 int PrimitiveAssembler::slot(uint32_t position) const {
     if (m_chunk.indices) return static_cast<int>(m_chunk.indices[position] - m_chunk.index_base);
     if (position == 0 && m_chunk.pivot_slot >= 0) return m_chunk.pivot_slot;
@@ -221,8 +228,10 @@ void PrimitiveAssembler::assemble(const Piece& piece) {
             for (uint32_t i = first; i < last; ++i) triangle(slot(0), slot(i + 1), slot(i + 2));
             break;
         case PrimitiveMode::kQuads:
-        case PrimitiveMode::kQuadStrip:
             assemble_quads(piece);
+            break;
+        case PrimitiveMode::kQuadStrip:
+            assemble_quad_strip(piece);
             break;
         case PrimitiveMode::kPolygon:
             assemble_polygon(piece);
@@ -231,17 +240,27 @@ void PrimitiveAssembler::assemble(const Piece& piece) {
 }
 
 void PrimitiveAssembler::assemble_quads(const Piece& piece) {
-    const bool strip = piece.mode == PrimitiveMode::kQuadStrip;
     for (uint32_t i = piece.first; i < piece.last; ++i) {
-        const uint32_t at = strip ? 2 * i : 4 * i;
-        const int a = slot(strip ? at + 2 : at), b = slot(strip ? at : at + 1),
-                  c = slot(strip ? at + 1 : at + 2), d = slot(at + 3);
-        if (!strip && m_first_diagonal) {
+        const int a = slot(4 * i), b = slot(4 * i + 1), c = slot(4 * i + 2), d = slot(4 * i + 3);
+        if (m_direct && piece.range.in_order && !m_state.raster.flat) {
             triangle(a, b, c, Inside::kThird);
             triangle(a, c, d, Inside::kNone, false);
         } else {
             triangle(a, b, d, Inside::kSecond);
             triangle(b, c, d, Inside::kThird, false);
+        }
+    }
+}
+
+void PrimitiveAssembler::assemble_quad_strip(const Piece& piece) {
+    for (uint32_t i = piece.first; i < piece.last; ++i) {
+        const int a = slot(2 * i), b = slot(2 * i + 1), c = slot(2 * i + 2), d = slot(2 * i + 3);
+        if (m_direct) {
+            triangle(a, b, d);
+            triangle(c, a, d);
+        } else {
+            triangle(c, a, d, Inside::kSecond);
+            triangle(a, b, d, Inside::kThird, false);
         }
     }
 }

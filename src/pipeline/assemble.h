@@ -37,8 +37,10 @@ class PrimitiveAssembler {
     bool shade_index_range(const Piece& piece);
     void shade_positions(const Piece& piece);
     bool is_clipped() const;
+    bool misses_edge_flag() const;
     void assemble(const Piece& piece);
     void assemble_quads(const Piece& piece);
+    void assemble_quad_strip(const Piece& piece);
     void assemble_polygon(const Piece& piece);
     int slot(uint32_t position) const;
     bool edge_flag(int slot) const {
@@ -70,9 +72,11 @@ class PrimitiveAssembler {
     PrimitiveStages m_stages;
     Clipper m_clipper;
     Chunk m_chunk;
-    bool m_first_diagonal = false;  // quads of this chunk are cut from their first corner to their third
-    int m_shaded = 0;               // slots the vertex program filled
-    int m_next_slot = 0;            // first slot free for clipping
+    // Nothing of this chunk is clipped and its polygons pass no stage: the reference then cuts quads another
+    // way.
+    bool m_direct = false;
+    int m_shaded = 0;     // slots the vertex program filled
+    int m_next_slot = 0;  // first slot free for clipping
 };
 
 }  // namespace terrazzo::pipeline

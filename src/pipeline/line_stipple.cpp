@@ -8,7 +8,14 @@
 namespace terrazzo::pipeline {
 
 void PrimitiveStages::line(int a, int b, bool restarts) {
-    if (!m_state.raster.line_stipple) return solid_line(a, b);
+    const RasterState& r = m_state.raster;
+    if (r.flat && (r.line_stipple || r.line_smooth)) {
+        // What follows interpolates: both ends get the last vertex's colour first.
+        copy_vertex(a, kFlatEnd);
+        copy_colors(b, kFlatEnd);
+        a = kFlatEnd;
+    }
+    if (!r.line_stipple) return solid_line(a, b);
     if (restarts) m_stipple_counter = 0;
     stippled_line(a, b);
 }

@@ -19,7 +19,8 @@ TriangleSetup triangle_setup(const DrawState& state) {
     setup.row0_is_top = r.row0_is_top;
     setup.flat = r.flat;
     setup.two_sided = state.vertex.lighting.enabled && state.vertex.lighting.two_sided;
-    setup.offset = r.offset_fill;
+    // Enabling any of the offsets is enough where no stage comes in between: the reference's way.
+    setup.offset = r.offset_fill || r.offset_line || r.offset_point;
     setup.offset_factor = r.offset_factor;
     setup.offset_units = r.offset_units;
     return setup;

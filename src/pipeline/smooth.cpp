@@ -1,6 +1,6 @@
 // Smooth lines and points (GL 1.5 §3.3.2, §3.4.3) as two triangles each, whose coverage varyings tell the
 // pixel kernel where a fragment stands (raster/pixel/coverage.h). Geometry and arithmetic are the reference's
-// (doc/reference.md §3, "Smooth lines and points").
+// (doc/reference.md §3.3).
 #include <cmath>
 
 #include "pipeline/snap.h"

@@ -21,8 +21,11 @@ class PrimitiveStages {
     PrimitiveStages(PrimitiveSetup& setup, ShadedVertices& vertices, const DrawState& state, int columns,
                     uint32_t& stipple_counter);
 
-    // Whether filled polygons of this draw have to pass as well.
-    bool takes_triangles() const { return m_takes_triangles; }
+    // A piece of the draw is about to come. Where a vertex of it is clipped or, among points, has no edge
+    // flag the reference sends all of it through its chain.
+    void begin_piece(bool chained) { m_chained = chained && m_state.raster.line_stipple; }
+    // Whether filled polygons of this piece have to pass as well.
+    bool takes_triangles() const { return m_takes_triangles || m_chained; }
 
     void point(int v);
     // `restarts`: the stipple pattern begins anew with this line.
@@ -36,10 +39,12 @@ class PrimitiveStages {
     // to theirs.
     static constexpr int kCopySlots = 3 * (PrimitiveSetup::kBatchTriangles + 1);
     static constexpr int kFirstCopy = ShadedVertices::kFirstStageSlot;
-    static constexpr int kFirstSegment = kFirstCopy + kCopySlots;
+    static constexpr int kFlatEnd = kFirstCopy + kCopySlots;
+    static constexpr int kFirstSegment = kFlatEnd + 1;
     static_assert(kFirstSegment + 2 <= SmoothShapes::kFirstSlot);
 
-    int copy_vertex(int from, int to);
+    void copy_vertex(int from, int to);
+    void copy_colors(int from, int to);
 
     // unfilled.cpp
     struct Facing {
@@ -49,7 +54,6 @@ class PrimitiveStages {
     Facing facing(const int (&v)[3]) const;
     void copy_triangle(const int (&v)[3], int (&copies)[3]);
     void take_back_colors(const int (&v)[3]);
-    void flatten_colors(const int (&v)[3]);
     void offset_depth(const int (&v)[3], float determinant, bool enabled);
 
     // line_stipple.cpp
@@ -65,6 +69,7 @@ class PrimitiveStages {
     const bool m_two_sided;
     const bool m_offsets;
     bool m_takes_triangles;
+    bool m_chained = false;  // points and polygons of the piece restart the line stipple
     SmoothShapes m_smooth;
     TriangleSetup m_filled;  // rules of filled polygons whose facing and offset are done with
     int m_next_copy = 0;

@@ -1,6 +1,6 @@
 // Polygons on their way to lines, points or a fill of their own (GL 1.5 §3.5.4): facing, culling, the colours
 // of the side that shows, depth offset, the provoking vertex's colours, then the edges or corners that are
-// part of the outline. See stages.h; the arithmetic is that of doc/reference.md §3, "The chain of stages".
+// part of the outline. See stages.h; the arithmetic is that of doc/reference.md §3.3.
 #include <algorithm>
 #include <cmath>
 
@@ -40,12 +40,20 @@ PrimitiveStages::PrimitiveStages(PrimitiveSetup& setup, ShadedVertices& vertices
     m_filled.offset = false;
 }
 
-int PrimitiveStages::copy_vertex(int from, int to) {
+void PrimitiveStages::copy_vertex(int from, int to) {
     for (int column = 0; column < m_columns; ++column) {
         float* const values = m_vertices.column(column);
         values[to] = values[from];
     }
-    return to;
+}
+
+void PrimitiveStages::copy_colors(int from, int to) {
+    const raster::Varyings& varyings = m_state.vertex.varyings;
+    for (int i = 0; i < varyings.count; ++i) {
+        if (!varyings.is_color(i)) continue;
+        float* const values = m_vertices.column(kFirstVarying + i);
+        values[to] = values[from];
+    }
 }
 
 PrimitiveStages::Facing PrimitiveStages::facing(const int (&v)[3]) const {
@@ -60,7 +68,10 @@ PrimitiveStages::Facing PrimitiveStages::facing(const int (&v)[3]) const {
 }
 
 void PrimitiveStages::copy_triangle(const int (&v)[3], int (&copies)[3]) {
-    for (int i = 0; i < 3; ++i) copies[i] = copy_vertex(v[i], kFirstCopy + m_next_copy + i);
+    for (int i = 0; i < 3; ++i) {
+        copies[i] = kFirstCopy + m_next_copy + i;
+        copy_vertex(v[i], copies[i]);
+    }
     m_next_copy = (m_next_copy + 3) % kCopySlots;
 }
 
@@ -71,15 +82,6 @@ void PrimitiveStages::take_back_colors(const int (&v)[3]) {
         float* const front = m_vertices.column(kFirstVarying + i);
         const float* const back = m_vertices.column(kFirstVarying + varyings.count + i);
         for (const int slot : v) front[slot] = back[slot];
-    }
-}
-
-void PrimitiveStages::flatten_colors(const int (&v)[3]) {
-    const raster::Varyings& varyings = m_state.vertex.varyings;
-    for (int i = 0; i < varyings.count; ++i) {
-        if (!varyings.is_color(i)) continue;
-        float* const column = m_vertices.column(kFirstVarying + i);
-        column[v[0]] = column[v[1]] = column[v[2]];
     }
 }
 
@@ -113,7 +115,7 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
                                                        : r.offset_point;
         offset_depth(v, side.determinant, enabled);
     }
-    if (flattens) flatten_colors(v);
+    if (flattens) copy_colors(v[2], v[0]), copy_colors(v[2], v[1]);
     switch (mode) {
         case FillMode::kFill:
             m_stipple_counter = 0;
@@ -127,6 +129,7 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
             if (edges[1]) line(v[1], v[2], false);
             return;
         case FillMode::kPoint:
+            m_stipple_counter = 0;
             for (int i = 0; i < 3; ++i)
                 if (edges[i]) point(v[i]);
             return;
@@ -134,7 +137,7 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
 }
 
 void PrimitiveStages::point(int v) {
-    m_stipple_counter = 0;
+    if (m_chained || m_state.raster.point_smooth) m_stipple_counter = 0;
     if (m_state.raster.point_smooth) return m_smooth.point(v);
     m_setup.point(v);
 }

@@ -1,0 +1,205 @@
+// Choosing the state and drawing; see styles.h.
+#include "styles.h"
+
+#include <array>
+#include <stdexcept>
+
+#include "kit/offscreen.h"
+#include "random.h"
+
+namespace terrazzo::coverage {
+namespace {
+
+using kit::Gl;
+
+void enable(const Gl& gl, GLenum what, bool on) {
+    on ? gl.Enable(what) : gl.Disable(what);
+}
+
+struct Vertex {
+    std::array<float, 3> position, normal;
+    std::array<float, 4> color;
+    GLboolean edge;
+};
+
+void set_view(const Gl& gl, Random& random) {
+    gl.MatrixMode(GL_PROJECTION);
+    gl.LoadIdentity();
+    gl.MatrixMode(GL_MODELVIEW);
+    gl.LoadIdentity();
+    if (random.chance(2)) {
+        gl.MatrixMode(GL_PROJECTION);
+        gl.Ortho(-1.3, 1.3, -1.3, 1.3, -1.2, 1.2);
+    } else {
+        gl.MatrixMode(GL_PROJECTION);
+        gl.Frustum(-0.5, 0.5, -0.5, 0.5, 1, 6);
+        gl.MatrixMode(GL_MODELVIEW);
+        gl.Translatef(random.number(-0.3f, 0.3f), random.number(-0.3f, 0.3f), random.number(-3.5f, -1.7f));
+    }
+    gl.MatrixMode(GL_MODELVIEW);
+    gl.Rotatef(random.number(-70, 70), random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
+    const bool cut = random.chance(4);
+    const GLdouble plane[4] = {random.number(-1, 1), random.number(-1, 1), random.number(-1, 1),
+                               random.number(0, 0.6f)};
+    gl.ClipPlane(GL_CLIP_PLANE1, plane);
+    enable(gl, GL_CLIP_PLANE1, cut);
+}
+
+void set_polygons(const Gl& gl, Random& random) {
+    gl.PolygonMode(GL_FRONT_AND_BACK, random.one_of<GLenum>({GL_FILL, GL_FILL, GL_LINE, GL_LINE, GL_POINT}));
+    enable(gl, GL_CULL_FACE, random.chance(3));
+    gl.CullFace(random.one_of<GLenum>({GL_FRONT, GL_BACK}));
+    gl.FrontFace(random.one_of<GLenum>({GL_CW, GL_CCW}));
+    gl.ShadeModel(random.one_of<GLenum>({GL_FLAT, GL_SMOOTH}));
+    for (const GLenum which : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
+        enable(gl, which, random.chance(2));
+    gl.PolygonOffset(random.number(-3, 3), random.number(-400, 400));
+    enable(gl, GL_POLYGON_STIPPLE, random.chance(5));
+    GLubyte pattern[128];
+    for (GLubyte& byte : pattern) byte = static_cast<GLubyte>(random.below(256) | random.below(256));
+    gl.PolygonStipple(pattern);
+}
+
+void set_lines_and_points(const Gl& gl, Random& random) {
+    gl.LineWidth(random.one_of({1.0f, 1.0f, 2.0f, 3.4f, 6.0f}));
+    gl.PointSize(random.one_of({1.0f, 2.0f, 3.5f, 6.0f, 9.0f}));
+    enable(gl, GL_LINE_STIPPLE, random.chance(3));
+    gl.LineStipple(random.one_of<GLint>({1, 2, 3, 7}),
+                   static_cast<GLushort>(random.chance(6) ? 0xffff : random.below(65536)));
+    const bool smooth = random.chance(4);
+    enable(gl, GL_LINE_SMOOTH, smooth && random.chance(2));
+    enable(gl, GL_POINT_SMOOTH, smooth && random.chance(2));
+    enable(gl, GL_BLEND, smooth || random.chance(4));
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    enable(gl, GL_ALPHA_TEST, random.chance(6));
+    gl.AlphaFunc(GL_GREATER, 0.25f);
+}
+
+void set_lights(const Gl& gl, Random& random) {
+    enable(gl, GL_LIGHTING, random.chance(4));
+    gl.Enable(GL_LIGHT0);
+    gl.Enable(GL_NORMALIZE);
+    gl.Enable(GL_COLOR_MATERIAL);
+    gl.ColorMaterial(GL_FRONT, GL_DIFFUSE);
+    gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, random.chance(2));
+    const GLfloat back[4] = {random.number(0, 1), random.number(0, 1), random.number(0, 1), 1};
+    gl.Materialfv(GL_BACK, GL_AMBIENT_AND_DIFFUSE, back);
+}
+
+void set_depth(const Gl& gl, Random& random) {
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilFunc(GL_ALWAYS, 0, 0xff);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(random.one_of<GLenum>({GL_ALWAYS, GL_ALWAYS, GL_LESS, GL_GEQUAL}));
+    gl.ClearDepth(random.one_of({1.0, 0.0}));
+}
+
+void send(const Gl& gl, const Vertex& v) {
+    gl.Color4fv(v.color.data());
+    gl.Normal3fv(v.normal.data());
+    gl.EdgeFlag(v.edge);
+    gl.Vertex3fv(v.position.data());
+}
+
+void draw_arrays(const Gl& gl, GLenum mode, const std::vector<Vertex>& vertices, bool indexed) {
+    constexpr GLsizei kStride = sizeof(Vertex);
+    const GLenum arrays[] = {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_EDGE_FLAG_ARRAY};
+    for (const GLenum array : arrays) gl.EnableClientState(array);
+    gl.VertexPointer(3, GL_FLOAT, kStride, vertices[0].position.data());
+    gl.ColorPointer(4, GL_FLOAT, kStride, vertices[0].color.data());
+    gl.NormalPointer(GL_FLOAT, kStride, vertices[0].normal.data());
+    gl.EdgeFlagPointer(kStride, &vertices[0].edge);
+    if (indexed) {
+        std::vector<GLuint> indices;
+        for (GLuint i = 0; i < vertices.size(); ++i) indices.push_back(i);
+        gl.DrawElements(mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, indices.data());
+    } else {
+        gl.DrawArrays(mode, 0, static_cast<GLsizei>(vertices.size()));
+    }
+    for (const GLenum array : arrays) gl.DisableClientState(array);
+}
+
+void draw_immediately(const Gl& gl, GLenum mode, const std::vector<Vertex>& vertices) {
+    gl.Begin(mode);
+    for (const Vertex& v : vertices) send(gl, v);
+    gl.End();
+}
+
+std::vector<Vertex> make_vertices(Random& random, bool edges) {
+    const float reach = random.one_of({0.15f, 0.6f, 1.6f});
+    const float center[3] = {random.number(-0.8f, 0.8f), random.number(-0.8f, 0.8f),
+                             random.number(-0.6f, 0.6f)};
+    std::vector<Vertex> vertices(3 + random.below(16));
+    for (Vertex& v : vertices) {
+        for (size_t c = 0; c < 3; ++c) {
+            v.position[c] = center[c] + random.number(-reach, reach);
+            v.normal[c] = random.number(-1, 1);
+            v.color[c] = random.number(0, 1);
+        }
+        v.color[3] = random.number(0, 1.2f);
+        v.edge = !edges || random.chance(2);
+    }
+    return vertices;
+}
+
+// Display lists do without edge flags and without quads of fewer than four vertices: doc/reference.md §3.3,
+// defects.
+void draw_primitives(const Gl& gl, Random& random) {
+    constexpr uint32_t kList = 2;
+    for (int i = 0; i < 9; ++i) {
+        const GLenum mode = random.below(GL_POLYGON + 1);
+        const uint32_t way = random.below(5);
+        const std::vector<Vertex> vertices = make_vertices(random, way != kList && random.chance(3));
+        switch (way) {
+            case 0:
+                draw_arrays(gl, mode, vertices, false);
+                break;
+            case 1:
+                draw_arrays(gl, mode, vertices, true);
+                break;
+            case kList:
+                if (vertices.size() < 4) break;
+                gl.NewList(1, GL_COMPILE);
+                draw_immediately(gl, mode, vertices);
+                gl.EndList();
+                gl.CallList(1);
+                break;
+            default:
+                draw_immediately(gl, mode, vertices);
+        }
+        gl.EdgeFlag(GL_TRUE);
+    }
+}
+
+}  // namespace
+
+std::vector<StylePicture> draw_styles(const std::string& path, uint32_t seed, uint32_t first,
+                                      uint32_t count) {
+    const kit::Library library(path);
+    const Gl& gl = library.gl;
+    std::vector<StylePicture> pictures;
+    for (uint32_t i = first; i < first + count; ++i) {
+        const kit::OffscreenContext context(library, {.depth_bits = i % 4 == 3 ? 16 : 24,
+                                                      .stencil_bits = i % 4 == 3 ? 0 : 8,
+                                                      .width = kStyleSize,
+                                                      .height = kStyleSize});
+        Random random(seed, i);
+        gl.ClearColor(0.2f, 0.3f, 0.4f, 0.5f);
+        set_depth(gl, random);
+        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        set_view(gl, random);
+        set_polygons(gl, random);
+        set_lines_and_points(gl, random);
+        set_lights(gl, random);
+        draw_primitives(gl, random);
+        gl.Finish();
+        pictures.push_back({context.colour_buffer(), context.read_stencil(), context.read_depth()});
+        if (const auto errors = context.take_errors(); !errors.empty())
+            throw std::runtime_error("picture " + std::to_string(i) + " leaves " +
+                                     kit::error_name(errors[0]));
+    }
+    return pictures;
+}
+
+}  // namespace terrazzo::coverage
