@@ -57,7 +57,7 @@ void clear_bin(const BinClear& clear, Target& target, int index) {
                                                       (clear.values.stencil & clear.stencil_mask));
         }
     }
-    if (clear.planes.depth) bin.state->farthest = UINT32_MAX;
+    if (clear.planes.depth) target.forget_farthest(index);
 }
 
 }  // namespace terrazzo::raster

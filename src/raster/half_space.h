@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "raster/primitive.h"
-#include "raster/target.h"
-#include "simd/wide.h"
+#include "raster/hidden.h"
 
 namespace terrazzo::raster {
 
@@ -43,11 +41,14 @@ struct BinEdge {
 // way.
 inline constexpr int64_t kEdgeLimit = int64_t{1} << 30;
 
+TERRAZZO_INLINE int32_t edge_at(const Edge& edge, int x, int y) {
+    const int64_t value = edge.c + int64_t{edge.step_x} * x + int64_t{edge.step_y} * y;
+    return static_cast<int32_t>(std::clamp(value, -kEdgeLimit, kEdgeLimit));
+}
+
 TERRAZZO_INLINE BinEdge edge_in_bin(const Edge& edge, int bin_x, int bin_y, int first_row) {
-    const int64_t corner =
-        edge.c + int64_t{edge.step_x} * bin_x + int64_t{edge.step_y} * (bin_y + first_row * kTileSize);
     BinEdge e;
-    e.at_row = static_cast<int32_t>(std::clamp(corner, -kEdgeLimit, kEdgeLimit));
+    e.at_row = edge_at(edge, bin_x, bin_y + first_row * kTileSize);
     e.step_x = edge.step_x;
     e.step_y = edge.step_y;
     e.best = 3 * (std::max(edge.step_x, 0) + std::max(edge.step_y, 0));
@@ -65,30 +66,93 @@ TERRAZZO_INLINE uint32_t spread_rows(uint32_t rows) {
     return ((rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9) * 0xfu;
 }
 
-template <int kEdges>
-TERRAZZO_INLINE void cover_bin(const Primitive& primitive, const Bin& bin, TileList& list) {
-    const int x0 = std::max<int>(primitive.x0 - bin.x, 0), x1 = std::min<int>(primitive.x1 - bin.x, kBinSize);
-    const int y0 = std::max<int>(primitive.y0 - bin.y, 0), y1 = std::min<int>(primitive.y1 - bin.y, kBinSize);
-    list.count = 0;
-    if (x0 >= x1 || y0 >= y1) return;
-    const int first_column = x0 >> 2, last_column = (x1 - 1) >> 2;
-    const int first_row = y0 >> 2, last_row = (y1 - 1) >> 2;
-    const uint32_t columns = (2u << last_column) - (1u << first_column);
-    const uint32_t left = span_bits(first_column * 4, x0, x1) * 0x1111u;
-    const uint32_t right = span_bits(last_column * 4, x0, x1) * 0x1111u;
+// The tiles of a bin that a primitive's rectangle touches, and the pixels of it in the outer ones.
+struct TileRect {
+    int first_column, last_column, first_row, last_row;
+    uint32_t columns;        // one bit each
+    uint32_t whole_columns;  // of which all pixels are inside
+    uint32_t left, right;    // pixels of a tile in the first and the last column
+    int y0, y1;
 
+    TERRAZZO_INLINE TileRect(int x0, int x1, int first_y, int last_y) : y0(first_y), y1(last_y) {
+        first_column = x0 >> 2, last_column = (x1 - 1) >> 2;
+        first_row = y0 >> 2, last_row = (y1 - 1) >> 2;
+        columns = (2u << last_column) - (1u << first_column);
+        left = span_bits(first_column * 4, x0, x1) * 0x1111u;
+        right = span_bits(last_column * 4, x0, x1) * 0x1111u;
+        whole_columns = columns;
+        if (left != 0xffff) whole_columns &= ~(1u << first_column);
+        if (right != 0xffff) whole_columns &= ~(1u << last_column);
+    }
+    TERRAZZO_INLINE uint32_t pixels_of_row(int row) const {
+        return row == first_row || row == last_row ? spread_rows(span_bits(row * 4, y0, y1)) : 0xffffu;
+    }
+    // Across and down, beyond the first.
+    int extent() const { return last_column - first_column + last_row - first_row; }
+};
+
+// What each pixel of a tile adds to an edge's value at the tile's first pixel.
+TERRAZZO_INLINE I32x16 pixel_steps(const Edge& edge) {
+    return lane_x() * I32x16(edge.step_x) + lane_y() * I32x16(edge.step_y);
+}
+
+// Up to two by two tiles, or three in a line: their pixels are tested at once.
+inline constexpr int kFewTiles = 2;
+// What a few more are spared by bounds is less than the bounds cost.
+inline constexpr int kTilesWithoutBounds = 8;
+template <int kEdges>
+TERRAZZO_INLINE void cover_few_tiles(const Primitive& primitive, const Bin& bin, const TileRect& rect,
+                                     TileList& list) {
+    const int x = bin.x + rect.first_column * kTileSize, y = bin.y + rect.first_row * kTileSize;
+    int32_t first[kEdges];
+    I32x16 in_tile[kEdges];
+    for (int e = 0; e < kEdges; ++e) {
+        first[e] = edge_at(primitive.edges[e], x, y);
+        in_tile[e] = pixel_steps(primitive.edges[e]);
+    }
+    for (int row = rect.first_row; row <= rect.last_row; ++row) {
+        const uint32_t rows = rect.pixels_of_row(row);
+        for (int column = rect.first_column; column <= rect.last_column; ++column) {
+            I32x16 outside(0);
+            for (int e = 0; e < kEdges; ++e) {
+                const Edge& edge = primitive.edges[e];
+                outside =
+                    outside |
+                    (in_tile[e] + I32x16(first[e] + kTileSize * ((column - rect.first_column) * edge.step_x +
+                                                                 (row - rect.first_row) * edge.step_y)));
+            }
+            uint32_t mask = rows & ~sign_bits(outside);
+            if (column == rect.first_column) mask &= rect.left;
+            if (column == rect.last_column) mask &= rect.right;
+            list.entries[list.count] = {static_cast<uint16_t>(row * kTilesAcross + column),
+                                        static_cast<uint16_t>(mask)};
+            list.count += mask != 0;
+        }
+    }
+}
+
+// In place of BlockDepths where nothing is gained.
+struct NoBlockDepths {
+    static TERRAZZO_INLINE uint32_t hidden_tiles(int, uint32_t) { return 0; }
+};
+
+// Whether any tile was left out because it is hidden.
+template <int kEdges, class Depths>
+TERRAZZO_INLINE bool cover_rows(const Primitive& primitive, const Bin& bin, const TileRect& rect,
+                                Depths& depths, TileList& list) {
     constexpr int kArray = kEdges == 0 ? 1 : kEdges;
     BinEdge edges[kArray];
     I32x16 in_tile[kArray];    // what each pixel adds to its tile's first
     I32x16 along_row[kArray];  // what each tile adds to the row's first
     for (int e = 0; e < kEdges; ++e) {
-        edges[e] = edge_in_bin(primitive.edges[e], bin.x, bin.y, first_row);
+        edges[e] = edge_in_bin(primitive.edges[e], bin.x, bin.y, rect.first_row);
         along_row[e] = lane_numbers() * I32x16(edges[e].step_x * kTileSize);
-        in_tile[e] = lane_x() * I32x16(edges[e].step_x) + lane_y() * I32x16(edges[e].step_y);
+        in_tile[e] = pixel_steps(primitive.edges[e]);
     }
 
-    for (int row = first_row; row <= last_row; ++row) {
-        uint32_t touched = columns, partial = 0;
+    uint32_t any_hidden = 0;
+    for (int row = rect.first_row; row <= rect.last_row; ++row) {
+        uint32_t touched = rect.columns, partial = 0;
         if constexpr (kEdges != 0) {
             I32x16 rejects(0), accepts(0);
             for (int e = 0; e < kEdges; ++e) {
@@ -99,14 +163,17 @@ TERRAZZO_INLINE void cover_bin(const Primitive& primitive, const Bin& bin, TileL
             touched &= ~sign_bits(rejects);
             partial = sign_bits(accepts);
         }
-        const uint32_t rows =
-            row == first_row || row == last_row ? spread_rows(span_bits(row * 4, y0, y1)) : 0xffffu;
+        const uint32_t rows = rect.pixels_of_row(row);
+        const uint32_t hidden =
+            touched & depths.hidden_tiles(row, rows == 0xffff ? touched & ~partial & rect.whole_columns : 0);
+        any_hidden |= hidden;
+        touched ^= hidden;
         while (touched != 0) {
             const int column = std::countr_zero(touched);
             touched &= touched - 1;
             uint32_t mask = rows;
-            if (column == first_column) mask &= left;
-            if (column == last_column) mask &= right;
+            if (column == rect.first_column) mask &= rect.left;
+            if (column == rect.last_column) mask &= rect.right;
             if (partial >> column & 1) {
                 I32x16 outside(0);
                 for (int e = 0; e < kEdges; ++e)
@@ -120,6 +187,33 @@ TERRAZZO_INLINE void cover_bin(const Primitive& primitive, const Bin& bin, TileL
         }
         for (int e = 0; e < kEdges; ++e) edges[e].at_row += kTileSize * edges[e].step_y;
     }
+    return any_hidden != 0;
+}
+
+template <int kEdges>
+TERRAZZO_INLINE void cover_bin(const Primitive& primitive, Bin& bin, TileList& list) {
+    const int x0 = std::max<int>(primitive.x0 - bin.x, 0), x1 = std::min<int>(primitive.x1 - bin.x, kBinSize);
+    const int y0 = std::max<int>(primitive.y0 - bin.y, 0), y1 = std::min<int>(primitive.y1 - bin.y, kBinSize);
+    list.count = 0;
+    if (x0 >= x1 || y0 >= y1) return;
+    const TileRect rect(x0, x1, y0, y1);
+    const FragmentKey& key = primitive.state->key;
+    if (raises_depth(key)) forget_bounds(bin, rect.first_row, rect.last_row);
+    if constexpr (kEdges != 0) {
+        if (rect.extent() <= kFewTiles) return cover_few_tiles<kEdges>(primitive, bin, rect, list);
+    }
+    if (rect.extent() <= kTilesWithoutBounds || !discards_hidden(key)) {
+        NoBlockDepths none;
+        cover_rows<kEdges>(primitive, bin, rect, none, list);
+        return;
+    }
+    BlockDepths depths(primitive, bin);
+    if (depths.behind(bin.state->farthest, rect.first_column, rect.last_column, rect.first_row,
+                      rect.last_row))
+        return;
+    const bool some_hidden = cover_rows<kEdges>(primitive, bin, rect, depths, list);
+    constexpr uint32_t kHiddenPerUpdate = 16;
+    if (some_hidden && list.count == 0 && ++bin.state->hidden % kHiddenPerUpdate == 0) lower_bin_bound(bin);
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -34,6 +34,7 @@ Target::Target(int width, int height, TargetFormat format)
     m_color = allocate_plane<std::byte>(pixels * static_cast<size_t>(bytes_per_pixel(format.color)));
     m_depth = allocate_plane<uint32_t>(format.depth_bits != 0 ? pixels : 0);
     m_stencil = allocate_plane<uint8_t>(format.stencil_bits != 0 ? pixels : 0);
+    m_farthest = allocate_plane<float>(m_depth ? static_cast<size_t>(bin_count()) * kBinTiles : 0);
     m_states.resize(static_cast<size_t>(bin_count()));
     for (int i = 0; i < bin_count(); ++i) clear_bin(i, {true, true, true}, {});
 }
@@ -43,6 +44,7 @@ Bin Target::bin(int index) {
     return {m_color.get() + first * static_cast<size_t>(bytes_per_pixel(m_format.color)),
             m_depth ? m_depth.get() + first : nullptr,
             m_stencil ? m_stencil.get() + first : nullptr,
+            m_farthest ? m_farthest.get() + static_cast<size_t>(index) * kBinTiles : nullptr,
             index % m_bins_across * kBinSize,
             index / m_bins_across * kBinSize,
             &state(index)};
@@ -57,7 +59,9 @@ void Target::clear_bin(int index, ClearPlanes planes, const ClearValues& values)
     if (planes.depth && m_depth) {
         bin.pending.depth = true;
         bin.clear.depth = values.depth;
-        bin.farthest = values.depth;
+        const uint32_t maximum = m_format.depth_bits == 16 ? 0xffff : 0xffffff;
+        bin.farthest = values.depth < maximum ? static_cast<float>(values.depth) / static_cast<float>(maximum)
+                                              : std::numeric_limits<float>::infinity();
     }
     if (planes.stencil && m_stencil) {
         bin.pending.stencil = true;
@@ -65,11 +69,13 @@ void Target::clear_bin(int index, ClearPlanes planes, const ClearValues& values)
     }
 }
 
-void Target::materialize(int index) {
+void Target::materialize(int index, ClearPlanes wanted) {
     BinState& info = state(index);
-    if (!info.pending.color && !info.pending.depth && !info.pending.stencil) return;
+    const bool color = info.pending.color && wanted.color, depth = info.pending.depth && wanted.depth,
+               stencil = info.pending.stencil && wanted.stencil;
+    if (!color && !depth && !stencil) return;
     const Bin planes = bin(index);
-    if (info.pending.color) {
+    if (color) {
         if (m_format.color == ColorFormat::kRgba8) {
             uint32_t pixel;
             encode_color(m_format.color, info.clear.color, reinterpret_cast<std::byte*>(&pixel));
@@ -77,10 +83,24 @@ void Target::materialize(int index) {
         } else {
             fill_color(m_format.color, info.clear.color, planes.color, kBinPixels);
         }
+        info.pending.color = false;
     }
-    if (info.pending.depth) kernels().fill(planes.depth, info.clear.depth, kBinPixels);
-    if (info.pending.stencil) std::memset(planes.stencil, info.clear.stencil, kBinPixels);
-    info.pending = {};
+    if (depth) {
+        kernels().fill(planes.depth, info.clear.depth, kBinPixels);
+        std::fill_n(planes.farthest, kBinTiles, info.farthest);
+        info.pending.depth = false;
+    }
+    if (stencil) {
+        std::memset(planes.stencil, info.clear.stencil, kBinPixels);
+        info.pending.stencil = false;
+    }
+}
+
+void Target::forget_farthest(int index) {
+    const Bin planes = bin(index);
+    if (planes.farthest == nullptr) return;
+    std::fill_n(planes.farthest, kBinTiles, std::numeric_limits<float>::infinity());
+    planes.state->farthest = std::numeric_limits<float>::infinity();
 }
 
 }  // namespace terrazzo::raster

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -68,7 +69,9 @@ struct TargetFormat {
 struct BinState {
     ClearPlanes pending;  // planes still to be filled with `clear`
     ClearValues clear;
-    uint32_t farthest = UINT32_MAX;  // no pixel's depth is above this
+    // No pixel's depth is above this, as window z; infinite where nothing better is known (hidden.h).
+    float farthest = std::numeric_limits<float>::infinity();
+    uint32_t hidden = 0;  // primitives that were found behind all tiles they touch
 };
 
 // One bin of a target as the kernels see it.
@@ -76,7 +79,8 @@ struct Bin {
     std::byte* color;
     uint32_t* depth;
     uint8_t* stencil;
-    int x, y;  // of its first pixel
+    float* farthest;  // one bound a tile, as BinState's; whoever writes depths keeps them true
+    int x, y;         // of its first pixel
     BinState* state;
 };
 
@@ -95,7 +99,11 @@ class Target {
     // Marks the planes of one bin as cleared.
     void clear_bin(int index, ClearPlanes planes, const ClearValues& values);
     // Fills what is still to be cleared, so that the planes hold what GL says they hold.
-    void materialize(int index);
+    void materialize(int index) { materialize(index, {true, true, true}); }
+    // The same for some planes.
+    void materialize(int index, ClearPlanes wanted);
+    // Lets a bin's depths be anything: for those who write them outside the kernels.
+    void forget_farthest(int index);
     BinState& state(int index) { return m_states[static_cast<size_t>(index)]; }
 
   private:
@@ -112,6 +120,7 @@ class Target {
     Plane<std::byte> m_color;
     Plane<uint32_t> m_depth;
     Plane<uint8_t> m_stencil;
+    Plane<float> m_farthest;
     std::vector<BinState> m_states;
 };
 

@@ -398,6 +398,18 @@ TERRAZZO_INLINE uint32_t sign_bits(I32x16 v) {
     return bits_of(v < I32x16(0));
 }
 
+TERRAZZO_INLINE int32_t largest_lane(I32x16 v) {
+#if HWY_TARGET == HWY_SCALAR
+    int32_t largest = hn::GetLane(v.part[0]);
+    for (int p = 1; p < kParts; ++p) largest = largest > hn::GetLane(v.part[p]) ? largest : hn::GetLane(v.part[p]);
+    return largest;
+#else
+    NativeI largest = v.part[0];
+    for (int p = 1; p < kParts; ++p) largest = hn::Max(largest, v.part[p]);
+    return hn::GetLane(hn::MaxOfLanes(TagI(), largest));
+#endif
+}
+
 // 0, 1, 2, ... 15.
 TERRAZZO_INLINE I32x16 lane_numbers() {
     alignas(64) static constexpr int32_t kNumbers[16] = {0, 1, 2,  3,  4,  5,  6,  7,

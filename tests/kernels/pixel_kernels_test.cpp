@@ -209,6 +209,20 @@ struct Scene {
         p.planes()[1] = random.between(1.6f, 3);  // 1/w stays positive in the target
     }
 
+    // Makes it one of a pile: over planes of one format, mostly in front of what lies there or behind it.
+    void flatten_to(std::uint8_t depth_bits) {
+        state.key.color_format = ColorFormat::kRgba8;
+        state.depth_bits = depth_bits;
+        state.key.depth_test = true;
+        state.key.depth_write = !random.once_in(8);
+        if (!random.once_in(24)) state.key.depth_func = random.coin() ? Compare::kLess : Compare::kLessEqual;
+        state.key.stencil_test = random.once_in(8);
+        if (!random.once_in(8)) state.key.alpha_func = Compare::kAlways, state.key.polygon_stipple = false;
+        // Depths beyond both ends too, where they are cut off.
+        primitive().planes()[0] = random.between(-0.3f, 1.3f);
+        if (random.once_in(4)) primitive().edge_count = 0;
+    }
+
     Primitive& primitive() { return *reinterpret_cast<Primitive*>(memory); }
 
     Random random;
@@ -235,17 +249,33 @@ struct Planes {
     GuardedPlane color, depth, stencil;
 };
 
-Planes draw(Scene& scene, const KernelTable& table) {
-    Planes planes(Random(7), scene.state);
-    BinState bin_state;
-    Bin bin{reinterpret_cast<std::byte*>(planes.color.data()),
-            reinterpret_cast<std::uint32_t*>(planes.depth.data()),
-            planes.stencil.data(),
-            kBinOrigin,
-            kBinOrigin,
-            &bin_state};
+// A bin over some planes, of whose depths nothing is known.
+struct BoundedBin {
+    explicit BoundedBin(Planes& planes)
+        : bin{reinterpret_cast<std::byte*>(planes.color.data()),
+              reinterpret_cast<std::uint32_t*>(planes.depth.data()),
+              planes.stencil.data(),
+              farthest,
+              kBinOrigin,
+              kBinOrigin,
+              &state} {
+        std::fill_n(farthest, kBinTiles, state.farthest);
+    }
+
+    BinState state;
+    alignas(64) float farthest[kBinTiles];
+    Bin bin;
+};
+
+void draw_into(Bin& bin, Scene& scene, const KernelTable& table) {
     scene.state.kernel = table.select_kernel(scene.state.key);
     table.draw_primitive(scene.primitive(), bin);
+}
+
+Planes draw(Scene& scene, const KernelTable& table) {
+    Planes planes(Random(7), scene.state);
+    BoundedBin bounded(planes);
+    draw_into(bounded.bin, scene, table);
     return planes;
 }
 
@@ -269,6 +299,34 @@ TEST_P(PixelKernels, DrawWhatScalarDraws) {
         ASSERT_TRUE(equal(expected.stencil, found.stencil)) << "stencil, seed " << seed;
     }
     EXPECT_GT(touched, 600);
+}
+
+// Many primitives one over the other, once with what the bin remembers of its depths and once without: what
+// is skipped because it is hidden must not be missed.
+TEST_P(PixelKernels, SkipOnlyWhatIsHidden) {
+    std::uint32_t hidden = 0;
+    int bounded_bins = 0;
+    for (std::uint64_t pile = 0; pile < 40; ++pile) {
+        Scene first(pile);
+        first.state.key = {};
+        first.state.depth_bits = pile % 4 == 0 ? 16 : 24;
+        Planes with(Random(7), first.state), without(Random(7), first.state);
+        BoundedBin remembering(with);
+        for (std::uint64_t seed = 0; seed < 150; ++seed) {
+            Scene scene(1000 * pile + seed);
+            scene.flatten_to(first.state.depth_bits);
+            draw_into(remembering.bin, scene, *GetParam());
+            BoundedBin forgetful(without);
+            draw_into(forgetful.bin, scene, *GetParam());
+            ASSERT_TRUE(equal(with.depth, without.depth)) << "depth, pile " << pile << ", " << seed;
+            ASSERT_TRUE(equal(with.color, without.color)) << "colour, pile " << pile << ", " << seed;
+            ASSERT_TRUE(equal(with.stencil, without.stencil)) << "stencil, pile " << pile << ", " << seed;
+        }
+        hidden += remembering.state.hidden;
+        bounded_bins += remembering.state.farthest < 1;
+    }
+    EXPECT_GT(hidden, 500u);
+    EXPECT_GT(bounded_bins, 4);
 }
 
 TEST_P(PixelKernels, FillWhatTheyAreTold) {

@@ -2,6 +2,7 @@
 // with both buffers brought up to date.
 #pragma once
 
+#include "raster/hidden.h"
 #include "raster/pixel/interpolate.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
@@ -30,7 +31,7 @@ TERRAZZO_INLINE Mask16 compare(Compare func, I32x16 a, I32x16 b) {
 
 // z in [0, 1] to the buffer's integers, rounded to nearest.
 TERRAZZO_INLINE I32x16 quantize_depth(F32x16 z, int depth_bits) {
-    return to_unorm(z, depth_bits == 16 ? 65535.0f : 16777215.0f);
+    return to_unorm(z, depth_maximum(depth_bits));
 }
 
 TERRAZZO_INLINE I32x16 load_stencil(const uint8_t* from) {
