@@ -3,6 +3,10 @@
 // compared.
 #include "offscreen.h"
 
+#include <sys/mman.h>
+
+#include <cstring>
+#include <new>
 #include <stdexcept>
 
 namespace terrazzo::kit {
@@ -15,17 +19,29 @@ std::size_t bytes_per_pixel(const ContextOptions& options) {
     return channels * size;
 }
 
+// In huge pages where there are any: a first frame is to be the library's time, not that of the client's page
+// faults.
+std::uint8_t* allocate_zeros(std::size_t bytes) {
+    constexpr std::size_t kHugePage = std::size_t{2} << 20;
+    const std::size_t rounded = (bytes + 63) / 64 * 64;
+    void* const memory = std::aligned_alloc(bytes < kHugePage ? 64 : kHugePage, rounded);
+    if (!memory) throw std::bad_alloc();
+    if (bytes >= kHugePage) madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
+    std::memset(memory, 0, bytes);
+    return static_cast<std::uint8_t*>(memory);
+}
+
 }  // namespace
 
 OffscreenContext::OffscreenContext(const Library& library, const ContextOptions& options)
     : m_library(library), m_options(options) {
     const std::size_t row = static_cast<std::size_t>(options.row_length ? options.row_length : options.width);
-    m_buffer.resize(row * static_cast<std::size_t>(options.height) * bytes_per_pixel(options));
+    m_buffer_size = row * static_cast<std::size_t>(options.height) * bytes_per_pixel(options);
+    m_buffer.reset(allocate_zeros(m_buffer_size));
     m_context = library.osmesa.CreateContextExt(options.format, options.depth_bits, options.stencil_bits,
                                                 options.accum_bits, options.share);
     if (!m_context) throw std::runtime_error("OSMesaCreateContextExt refused the format");
-    if (!library.osmesa.MakeCurrent(m_context, m_buffer.data(), options.type, options.width,
-                                    options.height)) {
+    if (!library.osmesa.MakeCurrent(m_context, m_buffer.get(), options.type, options.width, options.height)) {
         library.osmesa.DestroyContext(m_context);
         throw std::runtime_error("OSMesaMakeCurrent refused the buffer");
     }

@@ -4,6 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,7 +36,7 @@ class OffscreenContext {
     OffscreenContext& operator=(const OffscreenContext&) = delete;
 
     // The client's buffer as the library left it; finish the frame first.
-    const std::vector<std::uint8_t>& colour_buffer() const { return m_buffer; }
+    std::span<const std::uint8_t> colour_buffer() const { return {m_buffer.get(), m_buffer_size}; }
     // Raw window depth, in steps of the depth buffer's own format; `height` rows from the bottom.
     std::vector<std::uint32_t> read_depth() const;
     std::vector<std::uint8_t> read_stencil() const;
@@ -48,7 +51,11 @@ class OffscreenContext {
 
     const Library& m_library;
     ContextOptions m_options;
-    std::vector<std::uint8_t> m_buffer;
+    struct Free {
+        void operator()(std::uint8_t* memory) const { std::free(memory); }
+    };
+    std::unique_ptr<std::uint8_t[], Free> m_buffer;
+    std::size_t m_buffer_size;
     OSMesaContext m_context;
 };
 

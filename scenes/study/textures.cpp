@@ -6,7 +6,34 @@
 #include <array>
 
 namespace terrazzo::study {
+std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
+    std::uint32_t value = x * 0x9E3779B1U ^ y * 0x85EBCA77U ^ seed * 0xC2B2AE3DU;
+    value = (value ^ (value >> 15)) * 0x2C1B3C6DU;
+    value = (value ^ (value >> 12)) * 0x297A2D39U;
+    return value ^ (value >> 15);
+}
+
 namespace {
+
+struct NoiseCorners {
+    int bottom_left, bottom_right, top_left, top_right;  // 0 to 255
+};
+
+NoiseCorners noise_corners(int column, int row, std::uint32_t seed) {
+    const auto corner = [&](int dx, int dy) {
+        return static_cast<int>(
+            hash(static_cast<std::uint32_t>(column + dx), static_cast<std::uint32_t>(row + dy), seed) >> 24);
+    };
+    return {corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)};
+}
+
+int mix_corners(const NoiseCorners& c, int x, int y, int cell_bits) {
+    const int cell = 1 << cell_bits;
+    const int fx = x & (cell - 1), fy = y & (cell - 1);
+    const int bottom = c.bottom_left * (cell - fx) + c.bottom_right * fx;
+    const int top = c.top_left * (cell - fx) + c.top_right * fx;
+    return (bottom * (cell - fy) + top * fy) >> (2 * cell_bits);
+}
 
 struct Colour {
     int r, g, b;
@@ -32,31 +59,41 @@ Colour scaled(Colour colour, int numerator, int denominator) {
             colour.b * numerator / denominator};
 }
 
+// value_noise() for texels that come row by row: a cell's corners are found once.
+class NoiseRows {
+  public:
+    NoiseRows(int cell_bits, std::uint32_t seed) : m_cell_bits(cell_bits), m_seed(seed) {}
+
+    int at(int x, int y) {
+        const int column = x >> m_cell_bits, row = y >> m_cell_bits;
+        if (column != m_column || row != m_row) {
+            m_column = column, m_row = row;
+            m_corners = noise_corners(column, row, m_seed);
+        }
+        return mix_corners(m_corners, x, y, m_cell_bits);
+    }
+
+  private:
+    int m_cell_bits;
+    std::uint32_t m_seed;
+    int m_column = -1, m_row = -1;
+    NoiseCorners m_corners{};
+};
+
 // Coarse plus fine noise around 256, as a brightness factor.
-int grain(int x, int y, int coarse_bits, std::uint32_t seed) {
-    return 200 + value_noise(x, y, coarse_bits, seed) / 4 + value_noise(x, y, 1, seed + 1) / 8;
-}
+class Grain {
+  public:
+    Grain(int coarse_bits, std::uint32_t seed) : m_coarse(coarse_bits, seed), m_fine(1, seed + 1) {}
+    int at(int x, int y) { return 200 + m_coarse.at(x, y) / 4 + m_fine.at(x, y) / 8; }
+
+  private:
+    NoiseRows m_coarse, m_fine;
+};
 
 }  // namespace
 
-std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
-    std::uint32_t value = x * 0x9E3779B1U ^ y * 0x85EBCA77U ^ seed * 0xC2B2AE3DU;
-    value = (value ^ (value >> 15)) * 0x2C1B3C6DU;
-    value = (value ^ (value >> 12)) * 0x297A2D39U;
-    return value ^ (value >> 15);
-}
-
 int value_noise(int x, int y, int cell_bits, std::uint32_t seed) {
-    const int cell = 1 << cell_bits;
-    const auto column = static_cast<std::uint32_t>(x >> cell_bits);
-    const auto row = static_cast<std::uint32_t>(y >> cell_bits);
-    const int fx = x & (cell - 1), fy = y & (cell - 1);
-    const auto corner = [&](std::uint32_t dx, std::uint32_t dy) {
-        return static_cast<int>(hash(column + dx, row + dy, seed) >> 24);
-    };
-    const int bottom = corner(0, 0) * (cell - fx) + corner(1, 0) * fx;
-    const int top = corner(0, 1) * (cell - fx) + corner(1, 1) * fx;
-    return (bottom * (cell - fy) + top * fy) >> (2 * cell_bits);
+    return mix_corners(noise_corners(x >> cell_bits, y >> cell_bits, seed), x, y, cell_bits);
 }
 
 Image make_tiles(int size, int tiles, std::uint32_t seed) {
@@ -67,8 +104,8 @@ Image make_tiles(int size, int tiles, std::uint32_t seed) {
     // than a first frame.
     std::array<Image, 4> glazed;
     for (std::size_t i = 0; i < glazed.size(); ++i) {
-        glazed[i] = fill(edge, [=](int x, int y) {
-            return scaled(x < joint || y < joint ? kJoint : kGlazes[i], grain(x, y, 4, seed), 256);
+        glazed[i] = fill(edge, [=, grain = Grain(4, seed)](int x, int y) mutable {
+            return scaled(x < joint || y < joint ? kJoint : kGlazes[i], grain.at(x, y), 256);
         });
     }
     Image image{size, size, std::vector<std::uint8_t>(static_cast<std::size_t>(size) * size * 4)};
@@ -90,7 +127,7 @@ Image make_bricks(int size, std::uint32_t seed) {
     constexpr Colour kMortar{170, 164, 152};
     constexpr Colour kBrick{168, 74, 52};
     const int course = size / 8, length = size / 4;
-    return fill(size, [=](int x, int y) {
+    return fill(size, [=, grain = Grain(3, seed)](int x, int y) mutable {
         const int row = y / course;
         const int shifted = x + (row & 1) * length / 2;
         const int column = shifted / length % 4;
@@ -98,8 +135,7 @@ Image make_bricks(int size, std::uint32_t seed) {
         const int fired =
             200 + static_cast<int>(
                       hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed) >> 25);
-        return scaled(scaled(mortar ? kMortar : kBrick, grain(x, y, 3, seed), 256), mortar ? 256 : fired,
-                      256);
+        return scaled(scaled(mortar ? kMortar : kBrick, grain.at(x, y), 256), mortar ? 256 : fired, 256);
     });
 }
 
@@ -121,11 +157,11 @@ Image make_glaze(int size, std::uint32_t seed) {
     constexpr Colour kPorcelain{232, 236, 240};
     constexpr Colour kBlue{34, 66, 150};
     const int cell = size / 8;
-    return fill(size, [=](int x, int y) {
+    return fill(size, [=, grain = Grain(4, seed)](int x, int y) mutable {
         const int dx = x % cell - cell / 2, dy = y % cell - cell / 2;
         const bool dot = (x / cell + y / cell) % 2 == 0 && dx * dx + dy * dy < cell * cell / 9;
         const bool band = y < cell / 2 || y >= size - cell / 2;
-        return scaled(dot || band ? kBlue : kPorcelain, grain(x, y, 4, seed), 256);
+        return scaled(dot || band ? kBlue : kPorcelain, grain.at(x, y), 256);
     });
 }
 

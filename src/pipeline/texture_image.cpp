@@ -6,12 +6,6 @@
 #include <new>
 
 namespace terrazzo::pipeline {
-namespace {
-
-constexpr size_t kAlignment = 64;
-
-}  // namespace
-
 std::shared_ptr<TextureImage> TextureImage::create(int width, int height, int border_x, int border_y,
                                                    TexelStorage storage, BaseFormat base_format) {
     std::shared_ptr<TextureImage> image;
@@ -27,11 +21,9 @@ std::shared_ptr<TextureImage> TextureImage::create(int width, int height, int bo
     image->storage = storage;
     image->base_format = base_format;
     image->pitch = image->stored_width();
-    // calloc: the zeros of a big image cost nothing until a page is touched.
-    image->m_memory.reset(std::calloc(1, image->size_in_bytes() + 2 * kPaddingBytes + kAlignment));
-    if (!image->m_memory) return nullptr;
-    const auto first = reinterpret_cast<uintptr_t>(image->m_memory.get()) + kPaddingBytes;
-    image->m_texels = reinterpret_cast<uint8_t*>((first + kAlignment - 1) / kAlignment * kAlignment);
+    image->m_memory = raster::ZeroedMemory(image->size_in_bytes() + 2 * kPaddingBytes);
+    if (image->m_memory.data() == nullptr) return nullptr;
+    image->m_texels = static_cast<uint8_t*>(image->m_memory.data()) + kPaddingBytes;
     return image;
 }
 

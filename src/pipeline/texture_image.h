@@ -9,10 +9,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 
 #include "raster/state.h"
+#include "raster/zeroed_memory.h"
 
 namespace terrazzo::pipeline {
 
@@ -57,10 +57,6 @@ struct TextureImage {
     BaseFormat base_format = BaseFormat::kRgba;
 
   private:
-    struct Free {
-        void operator()(void* memory) const { std::free(memory); }
-    };
-
     ptrdiff_t index(int x, int y) const {
         return static_cast<ptrdiff_t>(y + border_y) * pitch + (x + border_x);
     }
@@ -68,7 +64,7 @@ struct TextureImage {
         return static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()) * bytes_per_texel(storage);
     }
 
-    std::unique_ptr<void, Free> m_memory;
+    raster::ZeroedMemory m_memory;
     uint8_t* m_texels = nullptr;  // the first stored texel, 64-byte aligned, inside m_memory
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -12,16 +11,9 @@
 
 namespace terrazzo::raster {
 
-void Target::FreeDeleter::operator()(void* memory) const {
-    std::free(memory);
-}
-
 template <class T>
-Target::Plane<T> Target::allocate_plane(size_t count) {
-    if (count == 0) return nullptr;
-    void* const memory = std::aligned_alloc(64, (count * sizeof(T) + 63) & ~size_t{63});
-    if (memory == nullptr) throw std::bad_alloc();
-    return Plane<T>(static_cast<T*>(memory));
+Target::Plane<T>::Plane(size_t count) : m_memory(count * sizeof(T)) {
+    if (m_memory.data() == nullptr) throw std::bad_alloc();
 }
 
 Target::Target(int width, int height, TargetFormat format)
@@ -30,11 +22,13 @@ Target::Target(int width, int height, TargetFormat format)
       m_bins_across((width + kBinSize - 1) / kBinSize),
       m_bins_up((height + kBinSize - 1) / kBinSize),
       m_format(format) {
-    const size_t pixels = static_cast<size_t>(bin_count()) * kBinPixels;
-    m_color = allocate_plane<std::byte>(pixels * static_cast<size_t>(bytes_per_pixel(format.color)));
-    m_depth = allocate_plane<uint32_t>(format.depth_bits != 0 ? pixels : 0);
-    m_stencil = allocate_plane<uint8_t>(format.stencil_bits != 0 ? pixels : 0);
-    m_farthest = allocate_plane<float>(m_depth ? static_cast<size_t>(bin_count()) * kBinTiles : 0);
+    const size_t bins = static_cast<size_t>(bin_count()), pixels = bins * kBinPixels;
+    m_color = Plane<std::byte>(pixels * static_cast<size_t>(bytes_per_pixel(format.color)));
+    if (format.depth_bits != 0) {
+        m_depth = Plane<uint32_t>(pixels);
+        m_farthest = Plane<float>(bins * kBinTiles);
+    }
+    if (format.stencil_bits != 0) m_stencil = Plane<uint8_t>(pixels);
     m_states.resize(static_cast<size_t>(bin_count()));
     for (int i = 0; i < bin_count(); ++i) clear_bin(i, {true, true, true}, {});
 }

@@ -12,10 +12,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "raster/state.h"
+#include "raster/zeroed_memory.h"
 
 namespace terrazzo::raster {
 
@@ -107,16 +107,22 @@ class Target {
     BinState& state(int index) { return m_states[static_cast<size_t>(index)]; }
 
   private:
-    struct FreeDeleter {
-        void operator()(void* memory) const;
+    template <class T>
+    class Plane {
+      public:
+        Plane() = default;
+        // Throws std::bad_alloc.
+        explicit Plane(size_t count);
+        explicit operator bool() const { return get() != nullptr; }
+        T* get() const { return static_cast<T*>(m_memory.data()); }
+
+      private:
+        ZeroedMemory m_memory;
     };
-    template <class T>
-    using Plane = std::unique_ptr<T[], FreeDeleter>;
-    template <class T>
-    static Plane<T> allocate_plane(size_t count);
 
     int m_width, m_height, m_bins_across, m_bins_up;
     TargetFormat m_format;
+    // Null where the format has no such plane.
     Plane<std::byte> m_color;
     Plane<uint32_t> m_depth;
     Plane<uint8_t> m_stencil;

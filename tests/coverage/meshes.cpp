@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "kit/offscreen.h"
 #include "random.h"
@@ -101,7 +102,7 @@ void draw(const kit::Gl& gl, const Mesh& mesh, Random& random) {
     gl.End();
 }
 
-MeshResult count(const std::vector<uint8_t>& picture, const Mesh& mesh) {
+MeshResult count(std::span<const uint8_t> picture, const Mesh& mesh) {
     MeshResult result{static_cast<uint32_t>(mesh.triangles.size()), 0, 0, 14695981039346656037u};
     for (size_t i = 0; i < picture.size(); i += 4) {
         result.missed += picture[i] == 0;

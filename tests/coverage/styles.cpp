@@ -194,7 +194,8 @@ std::vector<StylePicture> draw_styles(const std::string& path, uint32_t seed, ui
         set_lights(gl, random);
         draw_primitives(gl, random);
         gl.Finish();
-        pictures.push_back({context.colour_buffer(), context.read_stencil(), context.read_depth()});
+        const auto colors = context.colour_buffer();
+        pictures.push_back({{colors.begin(), colors.end()}, context.read_stencil(), context.read_depth()});
         if (const auto errors = context.take_errors(); !errors.empty())
             throw std::runtime_error("picture " + std::to_string(i) + " leaves " +
                                      kit::error_name(errors[0]));

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <span>
 #include <string>
 
 #include "kit/offscreen.h"
@@ -22,11 +23,9 @@ using namespace terrazzo;
 // FNV-1a of 64 bits.
 class Checksum {
   public:
-    template <class T>
-    void add(const std::vector<T>& values) {
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(values.data());
-        for (std::size_t i = 0; i < values.size() * sizeof(T); ++i)
-            m_value = (m_value ^ bytes[i]) * 0x100000001b3u;
+    void add(std::span<const std::byte> bytes) {
+        for (const std::byte byte : bytes)
+            m_value = (m_value ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
     }
     std::uint64_t value() const { return m_value; }
 
@@ -58,7 +57,7 @@ void run_seed(const kit::Library& library, std::uint64_t seed, const char* prefi
     std::ofstream file;
     if (prefix != nullptr) file.open(prefix + std::to_string(seed), std::ios::binary);
     const auto keep = [&](const auto& values) {
-        checksum.add(values);
+        checksum.add(std::as_bytes(std::span(values)));
         file.write(reinterpret_cast<const char*>(values.data()),
                    static_cast<std::streamsize>(values.size() * sizeof values[0]));
     };

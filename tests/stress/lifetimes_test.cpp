@@ -128,7 +128,8 @@ TEST_F(QueuedTexture, ReplacedThousandsOfTimes) {
 std::vector<std::uint8_t> picture_of_seed(std::uint64_t seed) {
     const kit::OffscreenContext context(library(), options());
     draw_random(library().gl, seed, kWidth, kHeight);
-    return context.colour_buffer();
+    const auto picture = context.colour_buffer();
+    return {picture.begin(), picture.end()};
 }
 
 TEST(Threads, ContextsDrawAtTheSameTime) {

@@ -49,7 +49,7 @@ json draw(const json& arguments) {
         const std::vector<GLenum> errors = context.take_errors();
         if (!errors.empty())
             throw std::runtime_error(trial.name + std::string(" leaves ") + kit::error_name(errors[0]));
-        pictures.push_back(json::binary(context.colour_buffer()));
+        pictures.push_back(json::binary({context.colour_buffer().begin(), context.colour_buffer().end()}));
     }
     return pictures;
 }
