@@ -138,29 +138,38 @@ std::array<float, 4> unproject(const Cell& cell, const WindowPoint& p, int width
     return out;
 }
 
-float strange_number(Random& random) {
+// Numbers that lead vertices astray: in a cell enormous ones have one size, and in each coordinate one sign.
+// Between others cutting leaves no window position.
+struct Astray {
+    float enormous;
+    uint32_t signs;
+};
+
+float any_number(Random& random) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const float not_a_number = std::numeric_limits<float>::quiet_NaN();
     return random.one_of(
         {not_a_number, kInfinity, -kInfinity, 3e38f, -3e38f, 1e20f, -1e20f, 1e-40f, 1e30f, 65536.0f, -1e9f});
 }
 
-float comparable_number(Random& random, bool perspective, uint32_t coordinate, bool negative) {
-    if (!perspective && coordinate < 3) return strange_number(random);
-    // One sign for all vertices: no edge leads through the eye.
-    const float value =
-        random.one_of({std::numeric_limits<float>::quiet_NaN(), 1e20f, 1e-40f, 1e30f, 65536.0f, 0.0f});
-    return negative ? -value : value;
+float comparable_number(Random& random, const Astray& astray, bool perspective, uint32_t coordinate) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    const float sign = (astray.signs >> coordinate & 1) != 0 ? -1.0f : 1.0f;
+    if (!perspective && coordinate < 3) {
+        return random.one_of(
+            {not_a_number, infinity, -infinity, sign * astray.enormous, 1e-40f, 65536.0f, -65536.0f});
+    }
+    return sign * random.one_of({not_a_number, std::min(astray.enormous, 1e30f), 1e-40f, 65536.0f, 0.0f});
 }
 
 void lead_astray(Random& random, Strays strays, Cell& cell) {
-    const uint32_t signs = random.below(16);
+    const Astray astray{random.one_of({3e38f, 1e30f, 1e20f, 1e12f}), random.below(16)};
     for (auto& vertex : cell.vertices) {
         if (!random.chance(3)) continue;
         const uint32_t c = random.below(4);
-        vertex[c] = strays == Strays::kAll
-                        ? strange_number(random)
-                        : comparable_number(random, cell.perspective, c, (signs >> c & 1) != 0);
+        vertex[c] = strays == Strays::kAll ? any_number(random)
+                                           : comparable_number(random, astray, cell.perspective, c);
     }
 }
 

@@ -28,8 +28,9 @@ enum class Family : uint8_t {
     kNotFinite,      // with infinite, enormous or undefined coordinates
 };
 // What of kNotFinite is made. Some vertices have no window position, and the reference, whose integers
-// overflow, draws anything (doc/reference.md §3.2): in perspective infinite ones, edges through the eye, and
-// edges whose one end is about 2^30 times the other; edges through the eye also where w itself goes astray.
+// overflow, draws anything (doc/reference.md §3.2): in perspective infinite ones; where an edge leads through
+// the eye; where rounding leaves nothing of a cut because the ends are enormous to both sides or of different
+// sizes.
 enum class Strays : uint8_t { kComparable, kAll };
 inline constexpr int kFamilies = 9;
 const char* name(Family family);

@@ -126,7 +126,8 @@ void set_view(const kit::Gl& gl, View view, Random& random) {
     gl.LoadIdentity();
     if (view != View::kTilted) return;
     // A wall seen from close by at a slant: it fills the view and, on one side, reaches behind the eye.
-    gl.Rotatef(random.number(10, 40), random.number(-1, 1), random.number(-1, 1), 0);
+    const GLfloat turn[3] = {random.number(10, 40), random.number(-1, 1), random.number(-1, 1)};
+    gl.Rotatef(turn[0], turn[1], turn[2], 0);
     gl.Translatef(0, 0, -random.number(2, 3));
     gl.Scalef(400.0f / kSize, 400.0f / kSize, 1);
     gl.Translatef(-kSize / 2, -kSize / 2, 0);

@@ -7,6 +7,7 @@
 #include "kit/offscreen.h"
 #include "random.h"
 
+// Random numbers are drawn into variables and lists, not into arguments, whose order is the compiler's.
 namespace terrazzo::coverage {
 namespace {
 
@@ -34,10 +35,14 @@ void set_view(const Gl& gl, Random& random) {
         gl.MatrixMode(GL_PROJECTION);
         gl.Frustum(-0.5, 0.5, -0.5, 0.5, 1, 6);
         gl.MatrixMode(GL_MODELVIEW);
-        gl.Translatef(random.number(-0.3f, 0.3f), random.number(-0.3f, 0.3f), random.number(-3.5f, -1.7f));
+        const GLfloat to[3] = {random.number(-0.3f, 0.3f), random.number(-0.3f, 0.3f),
+                               random.number(-3.5f, -1.7f)};
+        gl.Translatef(to[0], to[1], to[2]);
     }
     gl.MatrixMode(GL_MODELVIEW);
-    gl.Rotatef(random.number(-70, 70), random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
+    const GLfloat turn[4] = {random.number(-70, 70), random.number(-1, 1), random.number(-1, 1),
+                             random.number(-1, 1)};
+    gl.Rotatef(turn[0], turn[1], turn[2], turn[3]);
     const bool cut = random.chance(4);
     const GLdouble plane[4] = {random.number(-1, 1), random.number(-1, 1), random.number(-1, 1),
                                random.number(0, 0.6f)};
@@ -53,7 +58,8 @@ void set_polygons(const Gl& gl, Random& random) {
     gl.ShadeModel(random.one_of<GLenum>({GL_FLAT, GL_SMOOTH}));
     for (const GLenum which : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
         enable(gl, which, random.chance(2));
-    gl.PolygonOffset(random.number(-3, 3), random.number(-400, 400));
+    const GLfloat offset[2] = {random.number(-3, 3), random.number(-400, 400)};
+    gl.PolygonOffset(offset[0], offset[1]);
     enable(gl, GL_POLYGON_STIPPLE, random.chance(5));
     GLubyte pattern[128];
     for (GLubyte& byte : pattern) byte = static_cast<GLubyte>(random.below(256) | random.below(256));
@@ -64,8 +70,8 @@ void set_lines_and_points(const Gl& gl, Random& random) {
     gl.LineWidth(random.one_of({1.0f, 1.0f, 2.0f, 3.4f, 6.0f}));
     gl.PointSize(random.one_of({1.0f, 2.0f, 3.5f, 6.0f, 9.0f}));
     enable(gl, GL_LINE_STIPPLE, random.chance(3));
-    gl.LineStipple(random.one_of<GLint>({1, 2, 3, 7}),
-                   static_cast<GLushort>(random.chance(6) ? 0xffff : random.below(65536)));
+    const GLint factor = random.one_of<GLint>({1, 2, 3, 7});
+    gl.LineStipple(factor, static_cast<GLushort>(random.chance(6) ? 0xffff : random.below(65536)));
     const bool smooth = random.chance(4);
     enable(gl, GL_LINE_SMOOTH, smooth && random.chance(2));
     enable(gl, GL_POINT_SMOOTH, smooth && random.chance(2));
