@@ -42,6 +42,7 @@ inline constexpr int kNativeLanes = 1;
 inline constexpr int kNativeLanes = HWY_LANES(float) < 16 ? HWY_LANES(float) : 16;
 #endif
 inline constexpr int kParts = 16 / kNativeLanes;
+inline constexpr bool kMasksAreRegisters = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
 
 using TagF = hn::CappedTag<float, kNativeLanes>;
 using TagI = hn::CappedTag<int32_t, kNativeLanes>;

@@ -78,8 +78,9 @@ TERRAZZO_NOINLINE void update_stencil(StencilOp op, I32x16 old, const StencilFac
 
 // Returns the bits of `mask` whose fragments pass both tests.
 template <class Key>
-TERRAZZO_INLINE uint32_t depth_stencil_test(Key key, const FragmentState& state, const Primitive& primitive,
-                                            const Interpolator& at, Bin& bin, int tile, uint32_t mask) {
+TERRAZZO_INLINE uint32_t depth_stencil_test(Key key, const FragmentState& state, int depth_bits,
+                                            const Primitive& primitive, const Interpolator& at,
+                                            const Bin& bin, int tile, uint32_t mask) {
     const FragmentKey& k = key.value;
     uint8_t* const stencil = k.stencil_test ? bin.stencil + tile * kTilePixels : nullptr;
     const StencilFace& face = state.stencil[primitive.back_facing ? 1 : 0];
@@ -96,7 +97,7 @@ TERRAZZO_INLINE uint32_t depth_stencil_test(Key key, const FragmentState& state,
     if (k.depth_test) {
         F32x16 z = at.depth();
         if (k.depth_offset) z = z + F32x16(primitive.depth_offset);
-        const I32x16 depth = quantize_depth(z, state.depth_bits);
+        const I32x16 depth = quantize_depth(z, depth_bits);
         uint32_t* const stored = bin.depth + tile * kTilePixels;
         const uint32_t pass = bits_of(compare(k.depth_func, depth, load(stored))) & mask;
         if (k.stencil_test) update_stencil(face.depth_fail, old_stencil, face, mask & ~pass, stencil);

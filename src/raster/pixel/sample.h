@@ -140,6 +140,55 @@ TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLe
                       pair_weights(y.weight));
 }
 
+// The same for one level that repeats both ways, LINEAR: the hot case. What all tiles share is read once,
+// because the compiler has to expect that a store to a tile changes it.
+class RepeatedBilinear {
+  public:
+    TERRAZZO_INLINE RepeatedBilinear() = default;
+    TERRAZZO_INLINE explicit RepeatedBilinear(const MipLevel& level)
+        : m_level(level),
+          m_masks_wrap(is_power_of_two(level.width) && is_power_of_two(level.height)),
+          m_scale_s(static_cast<float>(level.width) * 256.0f),
+          m_scale_t(static_cast<float>(level.height) * 256.0f) {}
+
+    TERRAZZO_INLINE TexelPairs at(F32x16 s, F32x16 t) const {
+        if (!m_masks_wrap) return sample_any_size(s, t);
+        const I32x16 u = sub_texels(s, m_scale_s), v = sub_texels(t, m_scale_t);
+        const I32x16 last_x(m_level.width - 1), last_y(m_level.height - 1), pitch(m_level.pitch);
+        const I32x16 x = shift_right<8>(u) & last_x, y = shift_right<8>(v);
+        const I32x16 low_row = multiply_small(y & last_y, pitch) + x,
+                     high_row = multiply_small((y + I32x16(1)) & last_y, pitch) + x;
+        // The second column is the next in memory, unless it is the row's first again.
+        I32x16Pair low, high;
+        if (!any(x == last_x)) {
+            low = gather_pairs(texels(), low_row);
+            high = gather_pairs(texels(), high_row);
+        } else {
+            const I32x16 step = ((x + I32x16(1)) & last_x) - x;
+            low = {gather(texels(), low_row), gather(texels(), low_row + step)};
+            high = {gather(texels(), high_row), gather(texels(), high_row + step)};
+        }
+        const I32x16 wx = pair_weights(u & I32x16(255));
+        return lerp_pairs(lerp_pairs(split_pairs(low.first), split_pairs(low.second), wx),
+                          lerp_pairs(split_pairs(high.first), split_pairs(high.second), wx),
+                          pair_weights(v & I32x16(255)));
+    }
+
+  private:
+    // In 256ths of a texel, from the centre of the first.
+    static TERRAZZO_INLINE I32x16 sub_texels(F32x16 coordinate, float scale) {
+        return round_to_int(bounded(coordinate * F32x16(scale), 1073741824.0f)) - I32x16(128);
+    }
+    TERRAZZO_NOINLINE TexelPairs sample_any_size(F32x16 s, F32x16 t) const {
+        return sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, m_level, Filter::kLinear, s, t);
+    }
+    const int32_t* texels() const { return static_cast<const int32_t*>(m_level.texels); }
+
+    MipLevel m_level;
+    bool m_masks_wrap = false;
+    float m_scale_s = 0, m_scale_t = 0;
+};
+
 TERRAZZO_INLINE TexelPairs sample_fixed(const Sampler& sampler, const MipLevel& level, Filter filter,
                                         F32x16 s, F32x16 t) {
     if (sampler.dimensions == 2) return sample_fixed_2d(sampler.wrap_s, sampler.wrap_t, level, filter, s, t);

@@ -37,9 +37,35 @@ TERRAZZO_INLINE uint32_t stipple_mask(const uint32_t* pattern, int x, int y, int
     return mask;
 }
 
+// What the tiles of a primitive share, read once: the compiler has to expect that a store to a tile changes
+// everything that is not a local variable.
+struct SharedByTiles {
+    template <class Key>
+    TERRAZZO_INLINE SharedByTiles(Key key, const FragmentState& state)
+        : constant_color(uniform_color(state.constant_color)), depth_bits(state.depth_bits) {
+        if (!samples_one_texel(key.value)) return;
+        const TextureStage& stage = state.textures[0];
+        texture = RepeatedBilinear(stage.sampler.levels[0]);
+        coordinates = state.varyings.texture[stage.unit];
+        opaque = stage.base_format == BaseFormat::kRgb;
+    }
+    static TERRAZZO_INLINE bool samples_one_texel(const FragmentKey& key) {
+        return key.texture == TextureKind::kModulateBilinearRgba8 ||
+               key.texture == TextureKind::kBilinearRgba8;
+    }
+
+    Color constant_color;
+    int depth_bits;
+    // One 2D unit, REPEAT, LINEAR without mip levels, 8-bit texels: the hot case of textured scenes.
+    RepeatedBilinear texture;
+    int coordinates = 0;  // the planes of s and t
+    bool opaque = false;  // the texture has no alpha
+};
+
 template <class Key>
-TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const Interpolator& at, F32x16 w) {
-    if (!key.value.interpolated_color) return uniform_color(state.constant_color);
+TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const SharedByTiles& shared,
+                                    const Interpolator& at, F32x16 w) {
+    if (!key.value.interpolated_color) return shared.constant_color;
     const int first = state.varyings.color;
     if (key.value.flat_color)
         return {at.constant(first), at.constant(first + 1), at.constant(first + 2), at.constant(first + 3)};
@@ -48,20 +74,15 @@ TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const I
     return c;
 }
 
-// One 2D unit, REPEAT, LINEAR without mip levels, 8-bit texels: the hot case of textured scenes.
-TERRAZZO_INLINE TexelPairs bilinear_texel(const FragmentState& state, const Interpolator& at, F32x16 w) {
-    const TextureStage& stage = state.textures[0];
-    const int first = state.varyings.texture[stage.unit];
-    return sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, stage.sampler.levels[0], Filter::kLinear,
-                           at.varying(first) * w, at.varying(first + 1) * w);
+TERRAZZO_INLINE TexelPairs bilinear_texel(const SharedByTiles& shared, const Interpolator& at, F32x16 w) {
+    return shared.texture.at(at.varying(shared.coordinates) * w, at.varying(shared.coordinates + 1) * w);
 }
 
-TERRAZZO_INLINE Color modulate_bilinear(const FragmentState& state, const Interpolator& at, F32x16 w,
+TERRAZZO_INLINE Color modulate_bilinear(const SharedByTiles& shared, const Interpolator& at, F32x16 w,
                                         const Color& f) {
-    const Color8 texel = to_color8(bilinear_texel(state, at, w));
+    const Color8 texel = to_color8(bilinear_texel(shared, at, w));
     const Color t{from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
-    const bool opaque = state.textures[0].base_format == BaseFormat::kRgb;
-    return {f.r * t.r, f.g * t.g, f.b * t.b, opaque ? f.a : f.a * t.a};
+    return {f.r * t.r, f.g * t.g, f.b * t.b, shared.opaque ? f.a : f.a * t.a};
 }
 
 TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, Color color,
@@ -82,12 +103,12 @@ TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpo
 }
 
 template <class Key>
-TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const Interpolator& at,
-                                     uint32_t& mask) {
+TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const SharedByTiles& shared,
+                                     const Interpolator& at, uint32_t& mask) {
     const FragmentKey& k = key.value;
     const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
-    Color color = primary_color(key, state, at, w);
-    if (k.texture == TextureKind::kModulateBilinearRgba8) color = modulate_bilinear(state, at, w, color);
+    Color color = primary_color(key, state, shared, at, w);
+    if (k.texture == TextureKind::kModulateBilinearRgba8) color = modulate_bilinear(shared, at, w, color);
     if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, color, mask);
     if (k.separate_specular) {
         const int first = state.varyings.secondary;
@@ -104,9 +125,11 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
 }
 
 template <class Key>
-TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Primitive& primitive, Bin& bin,
-                                 const TileList& list) {
+TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Primitive& primitive,
+                                 const Bin& shared_bin, const TileList& list) {
     const FragmentKey& k = key.value;
+    const Bin bin = shared_bin;
+    const SharedByTiles shared(key, state);
     Interpolator at(primitive, Key::kTakesSteep && primitive.steep);
     // Where nothing that comes before the depth test can discard a fragment, the test comes first.
     const bool early = k.alpha_func == Compare::kAlways && k.coverage != Coverage::kPoint;
@@ -122,21 +145,21 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
             if (mask == 0) continue;
         }
         if (early && (k.depth_test || k.stencil_test)) {
-            mask = depth_stencil_test(key, state, primitive, at, bin, tile, mask);
+            mask = depth_stencil_test(key, state, shared.depth_bits, primitive, at, bin, tile, mask);
             if (mask == 0) continue;
         }
         if (early && k.color_mask == 0) continue;
         if (k.texture == TextureKind::kBilinearRgba8) {
             const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
-            write_packed_rgba8(join_pairs(bilinear_texel(state, at, w)), mask, bin, tile);
+            write_packed_rgba8(join_pairs(bilinear_texel(shared, at, w)), mask, bin, tile);
             continue;
         }
-        const Color color = shade_fragment(key, state, at, mask);
+        const Color color = shade_fragment(key, state, shared, at, mask);
         if (!early) {
             mask &= bits_of(alpha_test(k.alpha_func, state, k.color_format, color.a));
             if (mask == 0) continue;
             if (k.depth_test || k.stencil_test) {
-                mask = depth_stencil_test(key, state, primitive, at, bin, tile, mask);
+                mask = depth_stencil_test(key, state, shared.depth_bits, primitive, at, bin, tile, mask);
                 if (mask == 0) continue;
             }
         }

@@ -24,7 +24,8 @@ TERRAZZO_INLINE int32_t byte_mask(uint32_t color_mask) {
 }
 
 TERRAZZO_INLINE void store_pixels(I32x16 packed, uint32_t mask, uint32_t* pixels) {
-    if (mask == 0xffff) {
+    // Where a masked store is as fast, a branch that nobody can predict would only cost.
+    if (!kMasksAreRegisters && mask == 0xffff) {
         store(packed, pixels);
     } else {
         store_masked(mask_from_bits(mask), packed, pixels);
@@ -82,7 +83,7 @@ TERRAZZO_INLINE void write_rgba8(Key key, const FragmentState& state, const Colo
 }
 
 // Pixels that need no more than to be stored.
-TERRAZZO_INLINE void write_packed_rgba8(I32x16 packed, uint32_t mask, Bin& bin, int tile) {
+TERRAZZO_INLINE void write_packed_rgba8(I32x16 packed, uint32_t mask, const Bin& bin, int tile) {
     store_pixels(packed, mask, reinterpret_cast<uint32_t*>(bin.color) + tile * kTilePixels);
 }
 
@@ -175,7 +176,7 @@ TERRAZZO_NOINLINE void write_rgba32f(Key key, const FragmentState& state, const 
 
 template <class Key>
 TERRAZZO_INLINE void write_color(Key key, const FragmentState& state, const Color& color, uint32_t mask,
-                                 Bin& bin, int tile) {
+                                 const Bin& bin, int tile) {
     const FragmentKey& k = key.value;
     if (k.color_mask == 0) return;
     std::byte* const pixels = bin.color + static_cast<size_t>(tile) * kTilePixels *
