@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <memory>
 
 #include "random.h"
@@ -122,7 +123,8 @@ struct Scene {
             sampler.mag_filter = static_cast<Filter>(random.below(2));
             sampler.mip_filter = static_cast<MipFilter>(random.below(3));
         }
-        int width = 1 << random.below(6), height = 1 << random.below(6);
+        const auto size = [&] { return random.coin() ? 1 << random.below(6) : 1 + random.below(63); };
+        int width = size(), height = size();
         sampler.level_count = 0;
         do {
             add_level(sampler, width, height);
@@ -207,6 +209,9 @@ struct Scene {
             plane[2 * p.plane_count] = random.between(-0.004f, 0.004f);
         }
         p.planes()[1] = random.between(1.6f, 3);  // 1/w stays positive in the target
+        constexpr float kExtremes[] = {std::numeric_limits<float>::quiet_NaN(),
+                                        std::numeric_limits<float>::infinity(), 1e38f, -1e38f};
+        if (random.once_in(8)) p.planes()[random.below(3 * p.plane_count)] = random.one_of(kExtremes);
     }
 
     // Makes it one of a pile: over planes of one format, mostly in front of what lies there or behind it.

@@ -88,10 +88,16 @@ TERRAZZO_INLINE F32x16 bounded(F32x16 v, float limit) {
     return clamp(v, F32x16(-limit), F32x16(limit));
 }
 
+// A coordinate in 256ths of a texel, never NaN. Beyond 2^30 a repeating texture is noise and a clamped one is
+// at its edge. Where the index cannot be masked, it is brought to the first period.
+TERRAZZO_INLINE F32x16 in_sub_texels(bool first_period, F32x16 coordinate, int32_t size) {
+    const float scale = static_cast<float>(size) * 256.0f;
+    if (!first_period) return bounded(coordinate * F32x16(scale), 1073741824.0f);
+    return clamp((coordinate - floor(coordinate)) * F32x16(scale), F32x16(0.0f), F32x16(scale));
+}
+
 TERRAZZO_INLINE FixedAxis fixed_axis(Wrap wrap, Filter filter, F32x16 coordinate, int32_t size) {
-    if (wrap == Wrap::kRepeat && !is_power_of_two(size)) coordinate = coordinate - floor(coordinate);
-    // In 256ths of a texel; beyond 2^30 a repeating texture is noise and a clamped one is at its edge.
-    F32x16 scaled = bounded(coordinate * F32x16(static_cast<float>(size) * 256.0f), 1073741824.0f);
+    F32x16 scaled = in_sub_texels(wrap == Wrap::kRepeat && !is_power_of_two(size), coordinate, size);
     FixedAxis axis;
     if (filter == Filter::kNearest) {
         axis.first = wrap_index(wrap, shift_right<8>(truncate_to_int(floor(scaled))), size);
@@ -146,25 +152,22 @@ class RepeatedBilinear {
   public:
     TERRAZZO_INLINE RepeatedBilinear() = default;
     TERRAZZO_INLINE explicit RepeatedBilinear(const MipLevel& level)
-        : m_level(level),
-          m_masks_wrap(is_power_of_two(level.width) && is_power_of_two(level.height)),
-          m_scale_s(static_cast<float>(level.width) * 256.0f),
-          m_scale_t(static_cast<float>(level.height) * 256.0f) {}
+        : m_level(level), m_masks_wrap(is_power_of_two(level.width) && is_power_of_two(level.height)) {}
 
     TERRAZZO_INLINE TexelPairs at(F32x16 s, F32x16 t) const {
-        if (!m_masks_wrap) return sample_any_size(s, t);
-        const I32x16 u = sub_texels(s, m_scale_s), v = sub_texels(t, m_scale_t);
+        const I32x16 u = sub_texels(s, m_level.width), v = sub_texels(t, m_level.height);
+        const I32x16 x = wrapped(shift_right<8>(u), m_level.width),
+                     y = wrapped(shift_right<8>(v), m_level.height);
         const I32x16 last_x(m_level.width - 1), last_y(m_level.height - 1), pitch(m_level.pitch);
-        const I32x16 x = shift_right<8>(u) & last_x, y = shift_right<8>(v);
-        const I32x16 low_row = multiply_small(y & last_y, pitch) + x,
-                     high_row = multiply_small((y + I32x16(1)) & last_y, pitch) + x;
+        const I32x16 next_y = select(y == last_y, I32x16(0), y + I32x16(1));
+        const I32x16 low_row = multiply_small(y, pitch) + x, high_row = multiply_small(next_y, pitch) + x;
         // The second column is the next in memory, unless it is the row's first again.
         I32x16Pair low, high;
         if (!any(x == last_x)) {
             low = gather_pairs(texels(), low_row);
             high = gather_pairs(texels(), high_row);
         } else {
-            const I32x16 step = ((x + I32x16(1)) & last_x) - x;
+            const I32x16 step = select(x == last_x, I32x16(1 - m_level.width), I32x16(1));
             low = {gather(texels(), low_row), gather(texels(), low_row + step)};
             high = {gather(texels(), high_row), gather(texels(), high_row + step)};
         }
@@ -175,18 +178,18 @@ class RepeatedBilinear {
     }
 
   private:
-    // In 256ths of a texel, from the centre of the first.
-    static TERRAZZO_INLINE I32x16 sub_texels(F32x16 coordinate, float scale) {
-        return round_to_int(bounded(coordinate * F32x16(scale), 1073741824.0f)) - I32x16(128);
+    // From the centre of the first texel.
+    TERRAZZO_INLINE I32x16 sub_texels(F32x16 coordinate, int32_t size) const {
+        return round_to_int(in_sub_texels(!m_masks_wrap, coordinate, size)) - I32x16(128);
     }
-    TERRAZZO_NOINLINE TexelPairs sample_any_size(F32x16 s, F32x16 t) const {
-        return sample_fixed_2d(Wrap::kRepeat, Wrap::kRepeat, m_level, Filter::kLinear, s, t);
+    // For sizes that are no powers of two, the coordinate is in [0, 1] already.
+    TERRAZZO_INLINE I32x16 wrapped(I32x16 i, int32_t size) const {
+        return m_masks_wrap ? i & I32x16(size - 1) : select(i < I32x16(0), i + I32x16(size), i);
     }
     const int32_t* texels() const { return static_cast<const int32_t*>(m_level.texels); }
 
     MipLevel m_level;
     bool m_masks_wrap = false;
-    float m_scale_s = 0, m_scale_t = 0;
 };
 
 TERRAZZO_INLINE TexelPairs sample_fixed(const Sampler& sampler, const MipLevel& level, Filter filter,
