@@ -57,6 +57,17 @@ SCENE(env_modes_blended, "the same with the resulting alpha blended over stripes
     for (int i = 0; i < 3; ++i) environment_row(gl, modes[i], static_cast<float>(i) * 85 + 2, 80);
 }
 
+SCENE(env_add, "ADD of EXT_texture_env_add over six base formats, colours alone and blended over stripes") {
+    begin(gl);
+    gl.Disable(GL_TEXTURE_2D);
+    striped_backdrop(gl, 12);
+    gl.Enable(GL_TEXTURE_2D);
+    environment_row(gl, GL_ADD, 2, 120);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    environment_row(gl, GL_ADD, 130, 120);
+}
+
 SCENE(env_decal, "DECAL with RGB and RGBA textures, over colours and blended") {
     begin(gl);
     gl.TexEnvf(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);

@@ -261,6 +261,7 @@ void disable_client_state(Context& ctx, GLenum array) {
 }
 
 void array_element(Context& ctx, GLint i) {
+    if (i < 0) return record_error(ctx, GL_INVALID_VALUE, "the element is negative");
     for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
         if (attribute != pipeline::kPosition) {
             set_attribute(ctx, attribute, v[0], v[1], v[2], v[3]);

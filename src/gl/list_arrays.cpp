@@ -72,6 +72,7 @@ void record_draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type,
 }  // namespace
 
 void Compile::ArrayElement(Context& ctx, GLint i) {
+    if (i < 0) return record_list_error(ctx, GL_INVALID_VALUE, "the element is negative");
     for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
         switch (attribute) {
             case pipeline::kNormal:

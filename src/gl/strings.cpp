@@ -12,7 +12,6 @@ namespace terrazzo::gl {
 namespace {
 
 constexpr const char* kVendor = "Terrazzo";
-constexpr const char* kExtensions = "";
 
 // Users measure and report with this string: it says what ran.
 const char* renderer() {
@@ -38,7 +37,7 @@ const char* find_string(GLenum name) {
         case GL_VERSION:
             return version();
         case GL_EXTENSIONS:
-            return kExtensions;
+            return kGlExtensions;
     }
     return nullptr;
 }

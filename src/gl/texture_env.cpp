@@ -14,7 +14,8 @@ TextureUnit& active_unit(Context& ctx) {
 }
 
 bool is_environment_mode(GLfloat mode) {
-    return mode == GL_MODULATE || mode == GL_DECAL || mode == GL_BLEND || mode == GL_REPLACE;
+    return mode == GL_MODULATE || mode == GL_DECAL || mode == GL_BLEND || mode == GL_REPLACE ||
+           mode == GL_ADD;
 }
 
 TexgenCoordinate* find_coordinate(Context& ctx, GLenum coord) {

@@ -16,8 +16,9 @@ REGISTRY = Registry("/usr/share/khronos-api/gl.xml")
 EXPORTS = (TOOLS / "osmesa-exports.txt").read_text().split()
 
 
-def policy_of(core, forms_text="", rules=""):
-    text = f'[core.test]\n{core}\n[forms]\n{forms_text}\n[parameters.Fog]\nGL_FOG_COLOR = "4 normalised"\n[aliases]\n[rules]\n'
+def policy_of(core, forms_text="", rules="", extensions=()):
+    text = (f'[core.test]\n{core}\n[forms]\n{forms_text}\n[parameters.Fog]\nGL_FOG_COLOR = "4 normalised"\n[aliases]\n'
+            f'[extensions]\noffered = {list(extensions)}\n[rules]\n')
     text += rules or 'inside_begin_end = ["glVertex.*"]\nnot_in_lists = ["glGet.*"]\nmay_be_null = []\n'
     with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
         file.write(text)
@@ -76,6 +77,17 @@ class Coverage(unittest.TestCase):
         self.assertEqual(policy_of("".join(f"{n} = {{}}\n" for n in one_one[1:])).gl_version(), "1.0")
 
 
+    def test_an_extension_is_offered_only_with_all_its_commands(self):
+        self.assertEqual(policy_of("glFlush = {}").gl_extensions(), "")
+        offered = ["GL_EXT_blend_color", "GL_EXT_abgr"]
+        self.assertEqual(policy_of("glBlendColor = {}", extensions=offered).gl_extensions(),
+                         "GL_EXT_abgr GL_EXT_blend_color")
+        with self.assertRaisesRegex(PolicyError, "GL_EXT_blend_color is offered without glBlendColorEXT"):
+            policy_of("glFlush = {}", extensions=offered).gl_extensions()
+        with self.assertRaisesRegex(PolicyError, "GL_EXT_nothing is not an extension"):
+            policy_of("glFlush = {}", extensions=["GL_EXT_nothing"]).gl_extensions()
+
+
 class Forms(unittest.TestCase):
     POLICY = policy_of(
         "glVertex4f = {}\nglColor4f = {}\nglRectf = {}\nglFogfv = {}\nglLoadMatrixf = {}\nglPixelStorei = {}",
@@ -106,6 +118,11 @@ forward.glPixelStorei = { from = "glPixelStoref" }""")
 
     def test_transposition(self):
         self.assertIn("{m[0], m[4], m[8], m[12], m[1],", thunk_of(self.POLICY, "glLoadTransposeMatrixf"))
+
+    def test_counts_that_are_left_out_are_checked(self):
+        policy = policy_of("glVertexPointer = {}", 'forward.glVertexPointer = { from = "glVertexPointerEXT" }')
+        self.assertIn('if (count < 0) return Do::error(*ctx, GL_INVALID_VALUE, "count is negative");',
+                      thunk_of(policy, "glVertexPointerEXT"))
 
     def test_floats_given_for_integers_are_rounded(self):
         self.assertIn("Do::PixelStorei(*ctx, pname, rounded(param));", thunk_of(self.POLICY, "glPixelStoref"))

@@ -205,9 +205,10 @@ void play_texgen(Player& p) {
 void play_texture_environment(Player& p) {
     if (p.pick(2)) return p.gl().TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, p.numbers(4).data());
     const GLenum target = p.enumerant({TERRAZZO_E(GL_TEXTURE_ENV)});
-    p.gl().TexEnvi(target, GL_TEXTURE_ENV_MODE,
-                   static_cast<GLint>(p.enumerant({TERRAZZO_E(GL_MODULATE), TERRAZZO_E(GL_DECAL),
-                                                   TERRAZZO_E(GL_BLEND), TERRAZZO_E(GL_REPLACE)})));
+    p.gl().TexEnvi(
+        target, GL_TEXTURE_ENV_MODE,
+        static_cast<GLint>(p.enumerant({TERRAZZO_E(GL_MODULATE), TERRAZZO_E(GL_DECAL), TERRAZZO_E(GL_BLEND),
+                                        TERRAZZO_E(GL_REPLACE), TERRAZZO_E(GL_ADD)})));
 }
 
 // Matrices are kept moderate. When one becomes singular by rounding, the inverse that the reference finds

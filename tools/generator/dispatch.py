@@ -29,6 +29,8 @@ def dispatch_header(policy):
         lines.append(f"    {member.command.result} (*{member.command.short})(Context*{types});")
     lines += ["};\n", "// The highest version all of whose commands are in the table.",
               f'inline constexpr const char* kGlVersion = "{policy.gl_version()}";',
+              "// The extensions whose commands and values are all there.",
+              f'inline constexpr const char* kGlExtensions = "{policy.gl_extensions()}";',
               "inline constexpr int kGlMajorVersion = {}, kGlMinorVersion = {};".format(*policy.gl_version().split(".")),
               "\n}  // namespace terrazzo::gl"]
     return "\n".join(lines) + "\n"

@@ -109,12 +109,16 @@ def query_body(policy, member):
 def forward_body(policy, member):
     """The same command with arguments left out or of another type, matched by name."""
     given = {p.name: p.type for p in member.command.parameters}
+    wanted = {p.name for p in member.core.parameters}
+    checks = "".join(
+        f'    if ({p.name} < 0) return Do::error(*ctx, GL_INVALID_VALUE, "{p.name} is negative");\n'
+        for p in member.command.parameters if p.type == "GLsizei" and p.name not in wanted)
     arguments = []
     for p in member.core.parameters:
         if p.name not in given:
             raise PolicyError(f"{member.command.name} lacks {p.name}")
         arguments.append(convert(p.name, given[p.name], p.type))
-    return f"    Do::{member.core.short}(*ctx, {', '.join(arguments)});\n"
+    return f"{checks}    Do::{member.core.short}(*ctx, {', '.join(arguments)});\n"
 
 
 BODIES = {"core": core_body, "components": components_body, "matrix": matrix_body, "values": values_body,

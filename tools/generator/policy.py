@@ -32,6 +32,7 @@ class Policy:
         self.rules = data["rules"]
         self.parameters = data["parameters"]
         self.aliases = data["aliases"]
+        self.offered = data["extensions"]["offered"]
         self.core = {name: options for chapter in data["core"].values() for name, options in chapter.items()}
         self.forms = data["forms"]
         for name in self.core:
@@ -109,6 +110,16 @@ class Policy:
                 break
             best = number
         return best
+
+    def gl_extensions(self):
+        """What GL_EXTENSIONS answers: the offered ones, every command of which must be implemented."""
+        for extension in self.offered:
+            if extension not in self.registry.extensions:
+                raise PolicyError(f"{extension} is not an extension of gl.xml")
+            for name in self.registry.extensions[extension]:
+                if not self.target(name):
+                    raise PolicyError(f"{extension} is offered without {name}")
+        return " ".join(sorted(self.offered))
 
 
 def count_function_name(group):

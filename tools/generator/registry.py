@@ -75,7 +75,7 @@ def read_command(element):
 
 
 class Registry:
-    """All commands of gl.xml by name, and the commands each desktop GL version adds."""
+    """All commands of gl.xml by name, and the commands that each desktop GL version and each extension adds."""
 
     def __init__(self, path):
         root = ElementTree.parse(path).getroot()
@@ -87,3 +87,8 @@ class Registry:
         for feature in root.findall("feature[@api='gl']"):
             names = [c.get("name") for c in feature.findall("require/command")]
             self.versions[feature.get("number")] = names
+        self.extensions = {}  # "GL_EXT_abgr" -> names of its commands, of extensions to desktop GL
+        for extension in root.findall("extensions/extension"):
+            if "gl" in extension.get("supported", "").split("|"):
+                names = [c.get("name") for c in extension.findall("require/command")]
+                self.extensions[extension.get("name")] = names

@@ -222,7 +222,7 @@ void environments(const Gl& gl, Dice& dice) {
     for (unsigned char& t : texels) t = static_cast<unsigned char>(dice.pick(256));
     gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
     cells(gl, [&](int i) {
-        GLint mode = dice.one_of({GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND});
+        GLint mode = dice.one_of({GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD});
         // Undefined for the others (GL 1.5 table 3.22).
         if (mode == GL_DECAL && format != GL_RGB8 && format != GL_RGBA8) mode = GL_MODULATE;
         gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);

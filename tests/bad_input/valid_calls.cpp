@@ -1,0 +1,123 @@
+// The list of good calls; see valid_calls.h. The tests' context has a 4x4 RGBA texture bound to GL_TEXTURE_2D
+// and one of 4 texels bound to GL_TEXTURE_1D.
+#include "valid_calls.h"
+
+#include <map>
+#include <regex>
+
+namespace terrazzo::test {
+
+const std::vector<ValidCall>& valid_calls() {
+    constexpr Buffer in;
+    constexpr Scratch out;
+    static const std::vector<ValidCall> calls = {
+        {"glAlphaFunc", {GL_LESS, 0.5}},
+        {"glAreTexturesResident", {1, Names{}, out}},
+        {"glBegin", {GL_TRIANGLES}},
+        {"glBindTexture(EXT)?", {GL_TEXTURE_2D, 1}},
+        {"glBlendEquation(EXT)?", {GL_MIN}},
+        {"glBlendEquationSeparate(EXT|ATI)?", {GL_MIN, GL_MAX}},
+        {"glBlendFunc", {GL_ONE, GL_ONE}},
+        {"glBlendFuncSeparate(EXT|INGR)?", {GL_ONE, GL_ZERO, GL_ZERO, GL_ONE}},
+        {"glCallLists", {1, GL_UNSIGNED_BYTE, in}},
+        {"glClipPlane", {GL_CLIP_PLANE0, in}},
+        {"gl(Color[34]|Normal3|TexCoord[1234]|Vertex[234])(b|d|f|i|s|ub|ui|us)v", {in}},
+        {"gl(EdgeFlag|Indexd|Indexf|Indexi|Indexs|Indexub)v", {in}},
+        {"glColorMaterial", {GL_FRONT, GL_DIFFUSE}},
+        {"gl(Color|Vertex|TexCoord)Pointer", {4, GL_FLOAT, 0, in}},
+        {"gl(Color|Vertex|TexCoord)PointerEXT", {4, GL_FLOAT, 0, 1, in}},
+        {"gl(Normal|Index)Pointer", {GL_FLOAT, 0, in}},
+        {"gl(Normal|Index)PointerEXT", {GL_FLOAT, 0, 1, in}},
+        {"glEdgeFlagPointer", {0, in}},
+        {"glEdgeFlagPointerEXT", {0, 1, in}},
+        {"glCopyTexImage1D(EXT)?", {GL_TEXTURE_1D, 0, GL_RGBA, 0, 0, 4, 0}},
+        {"glCopyTexImage2D(EXT)?", {GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 4, 4, 0}},
+        {"glCopyTexSubImage1D(EXT)?", {GL_TEXTURE_1D, 0, 0, 0, 0, 2}},
+        {"glCopyTexSubImage2D(EXT)?", {GL_TEXTURE_2D, 0, 0, 0, 0, 0, 2, 2}},
+        {"glCullFace", {GL_FRONT}},
+        {"glDeleteLists", {1, 1}},
+        {"glDeleteTextures(EXT)?", {1, in}},
+        {"glDepthFunc", {GL_ALWAYS}},
+        {"gl(En|Dis)able", {GL_FOG}},
+        {"gl(En|Dis)ableClientState", {GL_VERTEX_ARRAY}},
+        {"glDrawArrays(EXT)?", {GL_TRIANGLES, 0, 3}},
+        {"glDrawBuffer", {GL_FRONT}},
+        {"glDrawElements", {GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, in}},
+        {"glDrawRangeElements(EXT)?", {GL_TRIANGLES, 0, 0, 3, GL_UNSIGNED_SHORT, in}},
+        {"glFog[fi]", {GL_FOG_DENSITY, 1.0}},
+        {"glFog[fi]v", {GL_FOG_START, in}},
+        {"glFrontFace", {GL_CW}},
+        {"glGenLists", {1}},
+        {"glGenTextures(EXT)?", {1, out}},
+        {"glGet(Boolean|Double|Float|Integer)v", {GL_FOG_START, out}},
+        {"glGetClipPlane", {GL_CLIP_PLANE0, out}},
+        {"glGetLight[fi]v", {GL_LIGHT0, GL_DIFFUSE, out}},
+        {"glGetMaterial[fi]v", {GL_FRONT, GL_DIFFUSE, out}},
+        {"glGetPixelMap(f|ui|us)v", {GL_PIXEL_MAP_I_TO_R, out}},
+        {"glGetPointerv(EXT)?", {GL_VERTEX_ARRAY_POINTER, out}},
+        {"glGetPolygonStipple", {out}},
+        {"glGetString", {GL_VENDOR}},
+        {"glGetTexEnv[fi]v", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, out}},
+        {"glGetTexGen[dfi]v", {GL_S, GL_EYE_PLANE, out}},
+        {"glGetTexImage", {GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, out}},
+        {"glGetTexLevelParameter[fi]v", {GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, out}},
+        {"glGetTexParameter[fi]v", {GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, out}},
+        {"glHint", {GL_FOG_HINT, GL_NICEST}},
+        {"glInterleavedArrays", {GL_V3F, 0, in}},
+        {"glIsEnabled", {GL_FOG}},
+        {"glLight[fi]", {GL_LIGHT0, GL_LINEAR_ATTENUATION, 1.0}},
+        {"glLight[fi]v", {GL_LIGHT0, GL_DIFFUSE, in}},
+        {"glLightModel[fi]", {GL_LIGHT_MODEL_TWO_SIDE, 1.0}},
+        {"glLightModel[fi]v", {GL_LIGHT_MODEL_AMBIENT, in}},
+        {"gl(Load|Mult)(Transpose)?Matrix[df](ARB)?", {in}},
+        {"glLogicOp", {GL_XOR}},
+        {"glMaterial[fi]", {GL_FRONT, GL_SHININESS, 1.0}},
+        {"glMaterial[fi]v", {GL_FRONT, GL_DIFFUSE, in}},
+        {"glMatrixMode", {GL_TEXTURE}},
+        {"glMultiDrawArrays(EXT)?", {GL_TRIANGLES, in, in, 1}},
+        {"glMultiDrawElements(EXT)?", {GL_TRIANGLES, Names{}, GL_UNSIGNED_INT, in, 1}},
+        {"glNewList", {1, GL_COMPILE}},
+        {"glPixelMap(f|ui|us)v", {GL_PIXEL_MAP_R_TO_R, 2, in}},
+        {"glPixelStore[fi]", {GL_PACK_ALIGNMENT, 1.0}},
+        {"glPixelTransfer[fi]", {GL_RED_SCALE, 1.0}},
+        {"glPolygonMode", {GL_FRONT, GL_LINE}},
+        {"glPolygonStipple", {in}},
+        {"glPrioritizeTextures(EXT)?", {1, in, in}},
+        {"glReadBuffer", {GL_FRONT}},
+        {"glReadPixels", {0, 0, 2, 2, GL_RGBA, GL_FLOAT, out}},
+        {"glRect[dfis]v", {in, in}},
+        {"glScissor", {0, 0, 1, 1}},
+        {"glShadeModel", {GL_FLAT}},
+        {"glStencilFunc", {GL_LESS, 1, 1}},
+        {"glStencilOp", {GL_INCR, GL_DECR, GL_ZERO}},
+        {"glTexEnv[fi]", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, 8448.0}},  // GL_MODULATE
+        {"glTexEnv[fi]v", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, in}},
+        {"glTexGen[dfi]", {GL_S, GL_TEXTURE_GEN_MODE, 9217.0}},  // GL_OBJECT_LINEAR
+        {"glTexGen[dfi]v", {GL_S, GL_EYE_PLANE, in}},
+        {"glTexImage1D", {GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_FLOAT, in}},
+        {"glTexImage2D", {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_FLOAT, in}},
+        {"glTexParameter[fi]", {GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, 9728.0}},  // GL_NEAREST
+        {"glTexParameter[fi]v", {GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, in}},
+        {"glTexSubImage1D(EXT)?", {GL_TEXTURE_1D, 0, 0, 2, GL_RGBA, GL_FLOAT, in}},
+        {"glTexSubImage2D(EXT)?", {GL_TEXTURE_2D, 0, 0, 0, 2, 2, GL_RGBA, GL_FLOAT, in}},
+        {"glViewport", {0, 0, 1, 1}},
+    };
+    return calls;
+}
+
+const std::vector<Argument>* valid_arguments(const std::string& name) {
+    static const auto by_name = [] {
+        std::map<std::string, const std::vector<Argument>*> found;
+        for (const ValidCall& valid : valid_calls()) {
+            const std::regex names(valid.names);
+            for (const gl::Call& call : gl::kEveryCall) {
+                if (std::regex_match(call.name, names)) found[call.name] = &valid.arguments;
+            }
+        }
+        return found;
+    }();
+    const auto found = by_name.find(name);
+    return found == by_name.end() ? nullptr : found->second;
+}
+
+}  // namespace terrazzo::test
