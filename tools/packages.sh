@@ -4,7 +4,7 @@
 
 packages_build="g++ meson ninja-build pkg-config python3 libhwy-dev khronos-api"
 packages_tests="libosmesa6-dev libgtest-dev libgmock-dev nlohmann-json3-dev libopenimageio-dev libcli11-dev libfmt-dev
-  libbenchmark-dev libtinygltf-dev libstb-dev libglfw3-dev libgl-dev assimp-testmodels xvfb xauth python3-opengl"
+  libbenchmark-dev libtinygltf-dev libstb-dev libglfw3-dev libgl-dev assimp-testmodels xvfb python3-opengl"
 packages_clang="clang"
 packages_arm="g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user"
 
