@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 #include "pipeline/geometry_table.h"
@@ -35,6 +36,8 @@ struct Draw {
         state.clip_plane_mask = static_cast<std::uint32_t>(random.once_in(3) ? random.below(64) : 0);
         fill(state.clip_planes[0], 4 * kMaxClipPlanes, -1, 1);
         state.normal_scaling = static_cast<NormalScaling>(random.below(3));
+        state.rescale_factor = random.between(0.5f, 2);
+        state.eye_space = random.coin();
         state.edge_flags = random.coin();
         make_lighting(fill);
         make_varyings(fill);
@@ -49,26 +52,39 @@ struct Draw {
         l.local_viewer = random.coin();
         l.separate_specular = random.coin();
         l.light_count = random.below(4);
-        for (Light& light : l.lights) {
-            fill(light.position, 4, -3, 3);
-            if (random.coin()) light.position[3] = 0;
-            fill(light.direction, 3, -1, 1);
-            fill(light.ambient, 4, 0, 1);
-            fill(light.diffuse, 4, 0, 1);
-            fill(light.specular, 4, 0, 1);
-            fill(light.attenuation, 3, 0.1f, 1);
-            light.spot_exponent = random.between(0, 60);
-            light.spot_cos_cutoff = random.coin() ? -1 : random.between(0, 1);
-        }
+        fill(l.model_ambient, std::size(l.model_ambient), 0, 1);
+        for (Light& light : l.lights) make_light(fill, light);
         for (Material& material : l.materials) {
-            fill(material.ambient, 4, 0, 1);
-            fill(material.diffuse, 4, 0, 1);
-            fill(material.specular, 4, 0, 1);
-            fill(material.emission, 4, 0, 1);
+            fill(material.ambient, std::size(material.ambient), 0, 1);
+            fill(material.diffuse, std::size(material.diffuse), 0, 1);
+            fill(material.specular, std::size(material.specular), 0, 1);
+            fill(material.emission, std::size(material.emission), 0, 1);
+            fill(material.scene_color, std::size(material.scene_color), 0, 1);
             material.shininess = random.between(0, 128);
         }
         for (ColorMaterial& color : l.color_material)
             color = {random.once_in(4), random.once_in(4), random.once_in(4), random.once_in(4)};
+    }
+
+    template <class Fill>
+    void make_light(const Fill& fill, Light& light) {
+        light.positional = random.coin();
+        light.spot = random.coin();
+        light.attenuated = light.positional && random.coin();
+        fill(light.position, std::size(light.position), -3, 3);
+        fill(light.half_vector, std::size(light.half_vector), -1, 1);
+        fill(light.direction, std::size(light.direction), -1, 1);
+        fill(light.attenuation, std::size(light.attenuation), 0.1f, 1);
+        light.spot_exponent = random.between(0, 60);
+        light.spot_cos_cutoff = random.between(0, 1);
+        fill(light.ambient, std::size(light.ambient), 0, 1);
+        fill(light.diffuse, std::size(light.diffuse), 0, 1);
+        fill(light.specular, std::size(light.specular), 0, 1);
+        for (LitMaterial& lit : light.lit) {
+            fill(lit.ambient, std::size(lit.ambient), 0, 1);
+            fill(lit.diffuse, std::size(lit.diffuse), 0, 1);
+            fill(lit.specular, std::size(lit.specular), 0, 1);
+        }
     }
 
     template <class Fill>
