@@ -282,8 +282,14 @@ int main(void) {
            glGetString(GL_VERSION) != NULL);
     formats_and_types();
     rows(OSMESA_RGBA, GL_UNSIGNED_BYTE);
+    rows(OSMESA_BGRA, GL_UNSIGNED_BYTE);
+    rows(OSMESA_ARGB, GL_UNSIGNED_BYTE);
     rows(OSMESA_RGB_565, GL_UNSIGNED_SHORT_5_6_5);
+    rows(OSMESA_RGBA, GL_UNSIGNED_SHORT);
+    rows(OSMESA_ARGB, GL_UNSIGNED_SHORT);
     rows(OSMESA_RGBA, GL_FLOAT);
+    rows(OSMESA_BGRA, GL_FLOAT);
+    rows(OSMESA_RGB, GL_FLOAT);
     making_current();
     static const int kDepths[] = {-1, 0, 8, 16, 24, 32};
     for (int d = 0; d < 6; ++d) {
