@@ -46,16 +46,40 @@ bool has_8_bit_components(GLenum type) {
     return packed && packed->bits[0] <= 8;
 }
 
+namespace {
+
+// Pixels of three or four fields of at most 8 bits to four bytes each, a missing fourth component being 255.
+template <PackedType kPacked>
+void unpack_to_bytes(const uint8_t* __restrict source, bool swap_bytes, int count,
+                     uint8_t* __restrict components) {
+    for (int i = 0; i < count; ++i) {
+        const unsigned pixel = load_component<PackedInteger<kPacked.bytes>>(source, i, swap_bytes);
+        uint32_t word = kPacked.components == 4 ? 0 : 0xffu << shift_of_byte(3);
+        [&]<size_t... c>(std::index_sequence<c...>) {
+            ((word |=
+              resize_unorm(pixel >> kPacked.shift[c] & ((1u << kPacked.bits[c]) - 1), kPacked.bits[c], 8)
+              << shift_of_byte(c)),
+             ...);
+        }
+        (std::make_index_sequence<kPacked.components>());
+        std::memcpy(components + 4 * i, &word, sizeof word);
+    }
+}
+
+}  // namespace
+
 void unpack_rgba8(GLenum format, GLenum type, bool swap_bytes, const void* source, int count, uint8_t* rgba) {
     const auto* bytes = static_cast<const uint8_t*>(source);
     Order order;
     if (are_bytes(format, type, swap_bytes, order)) {
         return components_to_rgba<uint8_t>(bytes, order, 255, count, rgba);
     }
+    // Four components in any case, the fourth of three being alpha.
+    if (order == Order::kRgb) order = Order::kRgba;
+    if (order == Order::kBgr) order = Order::kBgra;
     uint8_t components[4 * kPixelChunk];
     with_packed_type(type, [&]<PackedType kPacked>() {
-        unpack_fields<kPacked>(bytes, swap_bytes, count, components,
-                               []<unsigned kBits>(unsigned field) { return resize_unorm(field, kBits, 8); });
+        if constexpr (kPacked.bits[0] <= 8) unpack_to_bytes<kPacked>(bytes, swap_bytes, count, components);
     });
     components_to_rgba<uint8_t>(components, order, 255, count, rgba);
 }

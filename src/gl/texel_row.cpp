@@ -140,6 +140,12 @@ bool stores_groups(const TexelFormat& texel, GLenum format, GLenum type) {
            (packed && std::equal(packed->bits, packed->bits + packed->components, texel.bits.begin()));
 }
 
+bool holds_all_values(const TexelFormat& texel, GLenum type) {
+    return type == GL_UNSIGNED_SHORT &&
+           std::all_of(texel.bits.begin(), texel.bits.end(),
+                       [](unsigned char bits) { return bits == 0 || bits == 16; });
+}
+
 void store_texels(const TexelFormat& format, const uint8_t* rgba, Rounding rounding, int count,
                   TextureImage& image, int x, int y) {
     if (image.storage == TexelStorage::kRgba32F) {
@@ -158,6 +164,8 @@ void store_texels(const TexelFormat& format, const uint8_t* rgba, Rounding round
 void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
                   TextureImage& image, int x, int y) {
     if (image.storage == TexelStorage::kRgba32F) {
+        if (rounding == Rounding::kNone)
+            return groups_to_texels(format.base_format, 1.0f, rgba, count, image.rgba32f(x, y));
         float texels[4 * kPixelChunk];
         quantize(format, rgba, count, texels);
         return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y));

@@ -16,12 +16,16 @@ namespace terrazzo::gl {
 // spread or quantised.
 bool stores_groups(const TexelFormat& texel, GLenum format, GLenum type);
 
+// Whether components of this type have just the values that a texture of this format can hold.
+bool holds_all_values(const TexelFormat& texel, GLenum type);
+
 // How components reach sizes below 8 bits. The ways differ near the middle between two values, and programs
 // see which one the reference took.
 enum class Rounding {
     kThroughBytes,  // to the nearest byte, from there to the nearest: most uploads
     kOnce,          // floats straight to the nearest: uploads of RGBA floats, and whatever went through pixel
                     // transfer
+    kNone,          // floats that the format holds as they are
     kAsDrawn,       // bytes as if they were drawn, which drops bits: copies
 };
 

@@ -40,6 +40,7 @@ class RowUploader {
           m_image(image),
           m_bytes(goes_through_bytes(state, client, format)),
           m_direct(m_bytes && stores_groups(format, client.format, client.type)),
+          m_exact(holds_all_values(format, client.type)),
           m_transfer(changes_colors(state)) {}
 
     void store(const uint8_t* source, int first_bit, int count, int x, int y) const {
@@ -65,6 +66,8 @@ class RowUploader {
             if (m_transfer) transfer_colors(m_state, rgba, count);
             if (m_transfer || (m_client.format == GL_RGBA && m_client.type == GL_FLOAT)) {
                 rounding = Rounding::kOnce;
+            } else if (m_exact) {
+                rounding = Rounding::kNone;
             }
         }
         store_texels(m_format, rgba, rounding, count, m_image, x, y);
@@ -77,6 +80,7 @@ class RowUploader {
     pipeline::TextureImage& m_image;
     bool m_bytes;
     bool m_direct;  // bytes are texels
+    bool m_exact;   // floats need no rounding
     bool m_transfer;
 };
 
