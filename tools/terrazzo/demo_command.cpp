@@ -1,6 +1,7 @@
 // terrazzo demo: T1-T6 and models through both libraries: pictures, differences, speed, first frame, memory.
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -110,11 +111,16 @@ void measure(const Options& options, const SceneList& list, const std::string& o
         plan.contenders.push_back({kOurs, ours, threads});
         plan.contenders.push_back({kTheirs, theirs, threads});
     }
-    std::vector<bench::SceneResult> results = bench::run(plan, [](const std::string& line) {
-        fmt::print("\r\033[Kmeasuring {}", line);
+    const bool is_terminal = isatty(STDOUT_FILENO) != 0;
+    std::vector<bench::SceneResult> results = bench::run(plan, [=](const std::string& line) {
+        if (is_terminal) {
+            fmt::print("\r\033[Kmeasuring {}", line);
+        } else {
+            fmt::print("measuring {}\n", line);
+        }
         std::fflush(stdout);
     });
-    fmt::print("\r\033[K");
+    if (is_terminal) fmt::print("\r\033[K");
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         scenes[i].speed = std::move(results[i]);
         for (const bench::Measurement& m : scenes[i].speed.measurements) {
