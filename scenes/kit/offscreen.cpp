@@ -5,7 +5,6 @@
 
 #include <sys/mman.h>
 
-#include <cstring>
 #include <new>
 #include <stdexcept>
 
@@ -19,29 +18,39 @@ std::size_t bytes_per_pixel(const ContextOptions& options) {
     return channels * size;
 }
 
-// In huge pages where there are any: a first frame is to be the library's time, not that of the client's page
-// faults.
-std::uint8_t* allocate_zeros(std::size_t bytes) {
-    constexpr std::size_t kHugePage = std::size_t{2} << 20;
-    const std::size_t rounded = (bytes + 63) / 64 * 64;
-    void* const memory = std::aligned_alloc(bytes < kHugePage ? 64 : kHugePage, rounded);
-    if (!memory) throw std::bad_alloc();
-    if (bytes >= kHugePage) madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
-    std::memset(memory, 0, bytes);
-    return static_cast<std::uint8_t*>(memory);
+std::size_t buffer_size(const ContextOptions& options) {
+    const int row = options.row_length ? options.row_length : options.width;
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(options.height) *
+           bytes_per_pixel(options);
 }
+
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
 }  // namespace
 
+Pages::Pages(std::size_t bytes)
+    : m_mapped(bytes + kHugePage),
+      m_mapping(mmap(nullptr, m_mapped, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {
+    if (m_mapping == MAP_FAILED) throw std::bad_alloc();
+    const auto first = reinterpret_cast<std::uintptr_t>(m_mapping);
+    m_data = reinterpret_cast<std::uint8_t*>((first + kHugePage - 1) / kHugePage * kHugePage);
+    madvise(m_data, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
+}
+
+Pages::~Pages() {
+    munmap(m_mapping, m_mapped);
+}
+
 OffscreenContext::OffscreenContext(const Library& library, const ContextOptions& options)
-    : m_library(library), m_options(options) {
-    const std::size_t row = static_cast<std::size_t>(options.row_length ? options.row_length : options.width);
-    m_buffer_size = row * static_cast<std::size_t>(options.height) * bytes_per_pixel(options);
-    m_buffer.reset(allocate_zeros(m_buffer_size));
+    : m_library(library),
+      m_options(options),
+      m_buffer(buffer_size(options)),
+      m_buffer_size(buffer_size(options)) {
     m_context = library.osmesa.CreateContextExt(options.format, options.depth_bits, options.stencil_bits,
                                                 options.accum_bits, options.share);
     if (!m_context) throw std::runtime_error("OSMesaCreateContextExt refused the format");
-    if (!library.osmesa.MakeCurrent(m_context, m_buffer.get(), options.type, options.width, options.height)) {
+    if (!library.osmesa.MakeCurrent(m_context, m_buffer.data(), options.type, options.width,
+                                    options.height)) {
         library.osmesa.DestroyContext(m_context);
         throw std::runtime_error("OSMesaMakeCurrent refused the buffer");
     }

@@ -3,9 +3,8 @@
 // Invariant: the colour buffer belongs to this object and outlives the context.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +26,22 @@ struct ContextOptions {
     OSMesaContext share = nullptr;
 };
 
+// Zeros that nobody has touched yet, in huge pages where there are any: a first frame is to be the library's
+// time, not that of the client's page faults.
+class Pages {
+  public:
+    explicit Pages(std::size_t bytes);  // throws std::bad_alloc
+    ~Pages();
+    Pages(const Pages&) = delete;
+    Pages& operator=(const Pages&) = delete;
+    std::uint8_t* data() const { return m_data; }
+
+  private:
+    std::size_t m_mapped;
+    void* m_mapping;
+    std::uint8_t* m_data;
+};
+
 class OffscreenContext {
   public:
     // Throws std::runtime_error when the library refuses the format or the buffer.
@@ -36,7 +51,7 @@ class OffscreenContext {
     OffscreenContext& operator=(const OffscreenContext&) = delete;
 
     // The client's buffer as the library left it; finish the frame first.
-    std::span<const std::uint8_t> colour_buffer() const { return {m_buffer.get(), m_buffer_size}; }
+    std::span<const std::uint8_t> colour_buffer() const { return {m_buffer.data(), m_buffer_size}; }
     // Raw window depth, in steps of the depth buffer's own format; `height` rows from the bottom.
     std::vector<std::uint32_t> read_depth() const;
     std::vector<std::uint8_t> read_stencil() const;
@@ -51,10 +66,7 @@ class OffscreenContext {
 
     const Library& m_library;
     ContextOptions m_options;
-    struct Free {
-        void operator()(std::uint8_t* memory) const { std::free(memory); }
-    };
-    std::unique_ptr<std::uint8_t[], Free> m_buffer;
+    Pages m_buffer;
     std::size_t m_buffer_size;
     OSMesaContext m_context;
 };

@@ -20,7 +20,7 @@ constexpr int kFloorTexels = 736;
 void CubesOnFloor::prepare(const kit::Gl& gl, int width, int height) {
     enable_textured(gl, width, height);
     gl.Enable(GL_CULL_FACE);
-    m_textures[0] = create_texture(gl, make_tiles(256, 8, 3));
+    m_textures[0] = create_tiled_texture(gl, 256, 8, 3);
     m_textures[1] = create_texture(gl, make_crate(256, 4));
     m_textures[2] = create_texture(gl, make_bricks(128, 5));
     set_perspective(gl, static_cast<double>(width) / height, 0.1, 1000);
@@ -61,7 +61,7 @@ void CubesOnFloor::draw(const kit::Gl& gl, int frame) {
 void OneTeapot::prepare(const kit::Gl& gl, int width, int height) {
     enable_textured(gl, width, height);
     m_textures[0] = create_texture(gl, make_glaze(128, 6));
-    m_textures[1] = create_texture(gl, make_tiles(kFloorTexels, 8, 7));
+    m_textures[1] = create_tiled_texture(gl, kFloorTexels, 8, 7);
     set_perspective(gl, static_cast<double>(width) / height, 0.01, 1000);
 }
 
@@ -81,7 +81,7 @@ void OneTeapot::draw(const kit::Gl& gl, int frame) {
 void NineTeapots::prepare(const kit::Gl& gl, int width, int height) {
     enable_textured(gl, width, height);
     m_textures[0] = create_texture(gl, make_glaze(128, 6));
-    m_textures[1] = create_texture(gl, make_tiles(kFloorTexels, 8, 7));
+    m_textures[1] = create_tiled_texture(gl, kFloorTexels, 8, 7);
     set_perspective(gl, static_cast<double>(width) / height, 0.01, 1000);
 }
 

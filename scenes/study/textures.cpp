@@ -90,37 +90,22 @@ class Grain {
     NoiseRows m_coarse, m_fine;
 };
 
+GLuint create_repeating(const kit::Gl& gl, int width, int height, const void* texels) {
+    GLuint name = 0;
+    gl.GenTextures(1, &name);
+    gl.BindTexture(GL_TEXTURE_2D, name);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    return name;
+}
+
 }  // namespace
 
 int value_noise(int x, int y, int cell_bits, std::uint32_t seed) {
     return mix_corners(noise_corners(x >> cell_bits, y >> cell_bits, seed), x, y, cell_bits);
-}
-
-Image make_tiles(int size, int tiles, std::uint32_t seed) {
-    constexpr Colour kJoint{70, 66, 62};
-    constexpr Colour kGlazes[] = {{196, 178, 150}, {150, 92, 70}, {92, 112, 128}, {212, 206, 192}};
-    const int edge = size / tiles, joint = edge / 24 + 1;
-    // One tile of each glaze, joints included: noise at every texel of the largest texture would take longer
-    // than a first frame.
-    std::array<Image, 4> glazed;
-    for (std::size_t i = 0; i < glazed.size(); ++i) {
-        glazed[i] = fill(edge, [=, grain = Grain(4, seed)](int x, int y) mutable {
-            return scaled(x < joint || y < joint ? kJoint : kGlazes[i], grain.at(x, y), 256);
-        });
-    }
-    Image image{size, size, std::vector<std::uint8_t>(static_cast<std::size_t>(size) * size * 4)};
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; x += edge) {
-            const int column = x / edge, row = y / edge;
-            const std::uint32_t dice =
-                hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed);
-            const Image& tile = glazed[((column + row) & 1) + 2 * (dice >> 31)];
-            std::copy_n(tile.rgba.data() + static_cast<std::size_t>(y % edge) * edge * 4,
-                        static_cast<std::size_t>(std::min(edge, size - x)) * 4,
-                        image.rgba.data() + (static_cast<std::size_t>(y) * size + x) * 4);
-        }
-    }
-    return image;
 }
 
 Image make_bricks(int size, std::uint32_t seed) {
@@ -166,15 +151,29 @@ Image make_glaze(int size, std::uint32_t seed) {
 }
 
 GLuint create_texture(const kit::Gl& gl, const Image& image) {
-    GLuint name = 0;
-    gl.GenTextures(1, &name);
-    gl.BindTexture(GL_TEXTURE_2D, name);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                  image.rgba.data());
+    return create_repeating(gl, image.width, image.height, image.rgba.data());
+}
+
+GLuint create_tiled_texture(const kit::Gl& gl, int size, int tiles, std::uint32_t seed) {
+    constexpr Colour kJoint{70, 66, 62};
+    constexpr Colour kGlazes[] = {{196, 178, 150}, {150, 92, 70}, {92, 112, 128}, {212, 206, 192}};
+    const int edge = size / tiles, joint = edge / 24 + 1;
+    std::array<Image, 4> glazed;
+    for (std::size_t i = 0; i < glazed.size(); ++i) {
+        glazed[i] = fill(edge, [=, grain = Grain(4, seed)](int x, int y) mutable {
+            return scaled(x < joint || y < joint ? kJoint : kGlazes[i], grain.at(x, y), 256);
+        });
+    }
+    const GLuint name = create_repeating(gl, size, size, nullptr);
+    for (int row = 0; row < tiles; ++row) {
+        for (int column = 0; column < tiles; ++column) {
+            const std::uint32_t dice =
+                hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed);
+            const Image& tile = glazed[((column + row) & 1) + 2 * (dice >> 31)];
+            gl.TexSubImage2D(GL_TEXTURE_2D, 0, column * edge, row * edge, edge, edge, GL_RGBA,
+                             GL_UNSIGNED_BYTE, tile.rgba.data());
+        }
+    }
     return name;
 }
 
