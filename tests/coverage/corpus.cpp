@@ -211,8 +211,9 @@ Cell make_cell(uint32_t seed, uint32_t number, bool perspective, int width, int 
     cell.perspective = perspective;
     cell.family = static_cast<Family>(number % kFamilies);
     cell.mode = pick_mode(random);
-    cell.size = cell.mode == GL_POINTS ? random.one_of({1.0f, 1.0f, 2.0f, 3.0f, 4.6f, 7.0f, 12.5f})
-                                       : random.one_of({1.0f, 1.0f, 1.0f, 2.0f, 3.0f, 1.7f, 6.0f});
+    const bool is_point = cell.mode == GL_POINTS;
+    const float largest = random.chance(4) ? (is_point ? 70.0f : 40.0f) : 8.0f;
+    cell.size = random.chance(2) ? static_cast<float>(1 + random.below(4)) : random.number(0.05f, largest);
     if (perspective) {
         const double near = random.number(0.1f, 2), x = random.number(-0.3f, 0.3f),
                      y = random.number(-0.3f, 0.3f);
