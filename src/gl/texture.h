@@ -46,9 +46,9 @@ struct TextureLevel {
     GLsizei width = 0;
     GLsizei height = 0;
     GLint border = 0;
-    GLint internal_format = 1;                      // as the program named it
-    const TexelFormat* format = nullptr;            // how texels are kept; null while nothing is specified
-    std::shared_ptr<pipeline::TextureImage> image;  // null for an empty image and in proxies
+    GLint internal_format = 1;            // as the program named it
+    const TexelFormat* format = nullptr;  // how texels are kept; null while nothing is specified
+    pipeline::LevelImage image;           // null for an empty image and in proxies
 };
 
 struct TextureObject {

@@ -30,7 +30,7 @@ void specify_proxy(TextureObject& proxy, const LevelSpec& spec, const TexelForma
 bool can_refill(Context& ctx, const TextureLevel& level, const LevelSpec& spec, const TexelFormat& format) {
     ctx.drawing.state.fragment.reset();  // stale now, and it would count as a reference to the image
     return level.format == &format && level.width == spec.width && level.height == spec.height &&
-           level.border == spec.border && level.image && level.image.use_count() == 1;
+           level.border == spec.border && level.image && !level.image.in_use();
 }
 
 void specify_image(Context& ctx, TextureObject& object, const LevelSpec& spec, const TexelFormat& format,

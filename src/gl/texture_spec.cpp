@@ -139,7 +139,7 @@ bool contains(const TextureLevel& level, const LevelRect& rect) {
 pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
     // What the last draw derived is stale and would count as a reference to the image.
     ctx.drawing.state.fragment.reset();
-    pipeline::TextureImage* image = pipeline::mutable_image(level.image);
+    pipeline::TextureImage* image = level.image.writable();
     if (!image) throw std::bad_alloc();
     return *image;
 }

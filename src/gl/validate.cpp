@@ -143,7 +143,7 @@ raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, 
                                        : image->rgba32f(0, 0);
         sampler.levels[static_cast<std::size_t>(level - levels.base)] = {texels, image->width, image->height,
                                                                          image->pitch};
-        images.push_back(image);
+        images.push_back(image.shared());
     }
     const pipeline::TextureImage& base = *object.levels[static_cast<std::size_t>(levels.base)].image;
     sampler.storage = base.storage;

@@ -2,6 +2,7 @@
 // and so do the images it samples.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct FragmentBlock {
     std::vector<raster::TextureStage> stages;
     std::vector<uint32_t> polygon_stipple;
     std::vector<std::shared_ptr<const void>> images;
+
+    // Without the images, which textures hold.
+    size_t size_in_bytes() const {
+        return sizeof *this + stages.capacity() * sizeof stages[0] + 4 * polygon_stipple.capacity() +
+               images.capacity() * sizeof images[0];
+    }
 
     FragmentBlock() = default;
     FragmentBlock(const FragmentBlock&) = delete;

@@ -154,6 +154,7 @@ void Frame::draw(const std::function<void(int)>& finished) {
 void Frame::reset() {
     std::fill(m_bins.begin(), m_bins.end(), BinList{});
     m_kept.clear();
+    m_kept_bytes = 0;
     m_arena.reset();
     m_commands = 0;
 }

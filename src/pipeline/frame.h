@@ -12,6 +12,8 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/fragment_block.h"
+#include "pipeline/texture_image.h"
 #include "raster/kernel_table.h"
 #include "raster/primitive.h"
 #include "raster/target.h"
@@ -47,7 +49,8 @@ class Arena {
 
 class Frame {
   public:
-    // What a frame may hold before it has to be drawn: two of them and their blocks stay far below 256 MB.
+    // What a frame may hold before it has to be drawn: primitives and states, and as much again in images
+    // that their textures have given up. All together stays far below 256 MB.
     static constexpr size_t kMaxBytes = 64u << 20;
 
     // Draws what is queued, then begins anew on `target`.
@@ -55,13 +58,18 @@ class Frame {
     const std::shared_ptr<raster::Target>& target() const { return m_target; }
 
     bool empty() const { return m_commands == 0; }
-    bool full() const { return m_arena.used_bytes() >= kMaxBytes; }
+    bool full() const {
+        return m_arena.used_bytes() + m_kept_bytes >= kMaxBytes ||
+               TextureImage::abandoned_bytes() >= kMaxBytes;
+    }
     size_t command_count() const { return m_commands; }
     Arena& arena() { return m_arena; }
 
-    // Keeps an object alive until the frame has been drawn.
-    void keep(std::shared_ptr<const void> object) {
-        if (m_kept.empty() || m_kept.back() != object) m_kept.push_back(std::move(object));
+    // Keeps a fragment state alive until the frame has been drawn.
+    void keep(std::shared_ptr<const FragmentBlock> block) {
+        if (!m_kept.empty() && m_kept.back() == block) return;
+        m_kept_bytes += block->size_in_bytes();
+        m_kept.push_back(std::move(block));
     }
 
     // Into the lists of all bins that the primitive's rectangle touches, less those an edge shuts out.
@@ -96,7 +104,8 @@ class Frame {
     std::shared_ptr<raster::Target> m_target;
     Arena m_arena;
     std::vector<BinList> m_bins;
-    std::vector<std::shared_ptr<const void>> m_kept;
+    std::vector<std::shared_ptr<const FragmentBlock>> m_kept;
+    size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;
 };
 

@@ -2,10 +2,29 @@
 // copy-on-write.
 #include "pipeline/texture_image.h"
 
+#include <atomic>
 #include <cstring>
 #include <new>
 
 namespace terrazzo::pipeline {
+
+namespace {
+std::atomic<size_t> abandoned{0};
+}  // namespace
+
+size_t TextureImage::abandoned_bytes() {
+    return abandoned.load(std::memory_order_relaxed);
+}
+
+void TextureImage::abandon() {
+    m_abandoned = true;
+    abandoned.fetch_add(size_in_bytes(), std::memory_order_relaxed);
+}
+
+TextureImage::~TextureImage() {
+    if (m_abandoned) abandoned.fetch_sub(size_in_bytes(), std::memory_order_relaxed);
+}
+
 std::shared_ptr<TextureImage> TextureImage::create(int width, int height, int border_x, int border_y,
                                                    TexelStorage storage, BaseFormat base_format) {
     std::shared_ptr<TextureImage> image;
@@ -33,13 +52,13 @@ std::shared_ptr<TextureImage> TextureImage::clone() const {
     return copy;
 }
 
-TextureImage* mutable_image(std::shared_ptr<TextureImage>& image) {
-    if (image.use_count() > 1) {
-        std::shared_ptr<TextureImage> copy = image->clone();
+TextureImage* LevelImage::writable() {
+    if (in_use()) {
+        std::shared_ptr<TextureImage> copy = m_image->clone();
         if (!copy) return nullptr;
-        image = std::move(copy);
+        *this = std::move(copy);
     }
-    return image.get();
+    return m_image.get();
 }
 
 }  // namespace terrazzo::pipeline

@@ -2,14 +2,15 @@
 //
 // Input: rows that src/gl has converted and quantised. Output: texels expanded to RGBA as sampling sees them
 // (GL 1.5 table 3.20: alpha [0,0,0,A], luminance [L,L,L,1], intensity [I,I,I,I], ...), row 0 first (t = 0).
-// Invariant: an image that a queued draw refers to never changes. Whoever writes to one asks `mutable_image`
-// for it, which clones an image that somebody else holds too; so the pixels are immutable as soon as they are
-// shared.
+// Invariant: an image that a queued draw refers to never changes. Whoever writes to one asks
+// `LevelImage::writable` for it, which clones an image that somebody else holds too; so the pixels are
+// immutable as soon as they are shared.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "raster/state.h"
 #include "raster/zeroed_memory.h"
@@ -48,6 +49,16 @@ struct TextureImage {
     int stored_width() const { return width + 2 * border_x; }
     int stored_height() const { return height + 2 * border_y; }
 
+    // What no texture holds any more and queued draws still do, in all contexts: frames are drawn when it is
+    // much.
+    static size_t abandoned_bytes();
+    void abandon();
+
+    TextureImage() = default;
+    ~TextureImage();
+    TextureImage(const TextureImage&) = delete;
+    TextureImage& operator=(const TextureImage&) = delete;
+
     int width = 0;  // texels of the image proper, without border
     int height = 0;
     int border_x = 0;  // 0 or 1 texel on either side; 1D images have none in y
@@ -66,10 +77,39 @@ struct TextureImage {
 
     raster::ZeroedMemory m_memory;
     uint8_t* m_texels = nullptr;  // the first stored texel, 64-byte aligned, inside m_memory
+    bool m_abandoned = false;
 };
 
-// The image to write to: `image` itself when nobody else holds it, else `image` is replaced by a copy. Null,
-// with `image` unchanged, when memory is short.
-TextureImage* mutable_image(std::shared_ptr<TextureImage>& image);
+// A texture level's hold of its image, the only one besides those of queued draws.
+class LevelImage {
+  public:
+    LevelImage() = default;
+    LevelImage(std::nullptr_t) {}
+    LevelImage(std::shared_ptr<TextureImage> image) : m_image(std::move(image)) {}
+    LevelImage(LevelImage&&) = default;
+    LevelImage& operator=(LevelImage&& other) noexcept {
+        let_go();
+        m_image = std::move(other.m_image);
+        return *this;
+    }
+    ~LevelImage() { let_go(); }
+
+    explicit operator bool() const { return m_image != nullptr; }
+    TextureImage* operator->() const { return m_image.get(); }
+    TextureImage& operator*() const { return *m_image; }
+    const std::shared_ptr<TextureImage>& shared() const { return m_image; }
+    bool in_use() const { return m_image.use_count() > 1; }
+
+    // The image to write to: a copy in its place where it is in use. Null, and nothing is changed, when
+    // memory is short.
+    TextureImage* writable();
+
+  private:
+    void let_go() {
+        if (in_use()) m_image->abandon();
+    }
+
+    std::shared_ptr<TextureImage> m_image;
+};
 
 }  // namespace terrazzo::pipeline

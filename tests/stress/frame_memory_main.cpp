@@ -1,11 +1,10 @@
 // stress-frame-memory: how much memory triangles take that wait for their pixels.
 //
-// usage: stress-frame-memory arrays|immediate TRIANGLES MEGABYTES. Draws that many triangles between two
-// reads, from one small array again and again or between one Begin and End, and fails when the process ever
-// held more than MEGABYTES.
+// usage: stress-frame-memory arrays|immediate|states|textures TRIANGLES MEGABYTES. Draws that many triangles
+// between two reads, from one small array again and again, between one Begin and End, each under a state of
+// its own, or each with a texture image of its own, and fails when the process ever held more than MEGABYTES.
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <fstream>
 #include <stdexcept>
@@ -44,10 +43,50 @@ std::vector<float> triangles(int count) {
     return positions;
 }
 
-void draw(const kit::Gl& gl, bool immediate, long count) {
+void draw_triangle(const kit::Gl& gl) {
+    gl.Begin(GL_TRIANGLES);
+    gl.Vertex2f(-0.5f, -0.5f);
+    gl.Vertex2f(0.5f, -0.5f);
+    gl.Vertex2f(0, 0.5f);
+    gl.End();
+}
+
+void draw_states(const kit::Gl& gl, long count) {
+    for (long i = 0; i < count; ++i) {
+        gl.DepthFunc(i % 2 ? GL_LESS : GL_LEQUAL);
+        draw_triangle(gl);
+    }
+}
+
+// Images are given up when a texture gets another and when it is deleted.
+void draw_textures(const kit::Gl& gl, long count) {
+    constexpr int kSize = 64;
+    const std::vector<unsigned char> texels(4 * kSize * kSize, 255);
+    gl.Enable(GL_TEXTURE_2D);
+    GLuint texture = 0;
+    for (long i = 0; i < count; ++i) {
+        if (i % 3 == 0) {
+            gl.DeleteTextures(1, &texture);
+            gl.GenTextures(1, &texture);
+            gl.BindTexture(GL_TEXTURE_2D, texture);
+            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        }
+        if (i % 3 == 2) {
+            gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        } else {
+            gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                          texels.data());
+        }
+        draw_triangle(gl);
+    }
+}
+
+void draw(const kit::Gl& gl, const std::string& way, long count) {
+    if (way == "states") return draw_states(gl, count);
+    if (way == "textures") return draw_textures(gl, count);
     constexpr int kInArray = 1000;
     const std::vector<float> positions = triangles(kInArray);
-    if (!immediate) {
+    if (way == "arrays") {
         gl.EnableClientState(GL_VERTEX_ARRAY);
         gl.VertexPointer(3, GL_FLOAT, 0, positions.data());
         for (long drawn = 0; drawn < count; drawn += kInArray) gl.DrawArrays(GL_TRIANGLES, 0, 3 * kInArray);
@@ -63,7 +102,8 @@ void draw(const kit::Gl& gl, bool immediate, long count) {
 
 int main(int argc, char** argv) {
     if (argc != 4) {
-        std::fprintf(stderr, "usage: stress-frame-memory arrays|immediate TRIANGLES MEGABYTES\n");
+        std::fprintf(stderr,
+                     "usage: stress-frame-memory arrays|immediate|states|textures TRIANGLES MEGABYTES\n");
         return 2;
     }
     try {
@@ -71,7 +111,7 @@ int main(int argc, char** argv) {
         const kit::OffscreenContext context(library, {.width = 512, .height = 512});
         library.gl.Enable(GL_DEPTH_TEST);
         library.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        draw(library.gl, std::strcmp(argv[1], "immediate") == 0, std::atol(argv[2]));
+        draw(library.gl, argv[1], std::atol(argv[2]));
         library.gl.Finish();
         const std::vector<GLenum> errors = context.take_errors();
         bool drawn = false;

@@ -178,15 +178,15 @@ TEST_F(TextureTest, ImagesInUseAreNotWritten) {
         return a;
     }();
     specify(0, 2, 2);
-    const std::shared_ptr<pipeline::TextureImage> in_use = object.levels[0].image;
+    const std::shared_ptr<pipeline::TextureImage> in_use = object.levels[0].image.shared();
     tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
-    EXPECT_NE(object.levels[0].image, in_use);
+    EXPECT_NE(object.levels[0].image.shared(), in_use);
     EXPECT_EQ(in_use->rgba8(0, 0)[0], 0);
     EXPECT_EQ(object.levels[0].image->rgba8(0, 0)[0], 255);
     // Not in use any more, the same image is written in place.
-    const pipeline::TextureImage* alone = object.levels[0].image.get();
+    const pipeline::TextureImage* alone = &*object.levels[0].image;
     tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
-    EXPECT_EQ(object.levels[0].image.get(), alone);
+    EXPECT_EQ(&*object.levels[0].image, alone);
     EXPECT_EQ(alone->rgba8(1, 1)[3], 255);
 }
 
