@@ -10,22 +10,74 @@ namespace terrazzo::raster {
 
 namespace {
 
-void clear_color(const BinClear& clear, ColorFormat format, std::byte* pixel) {
-    const size_t size = static_cast<size_t>(bytes_per_pixel(format));
-    std::byte value[16];
-    encode_color(format, clear.values.color, value);
-    if (format == ColorFormat::kRgb565) {
-        static constexpr uint16_t kChannel[4] = {0xf800, 0x07e0, 0x001f, 0};
-        uint16_t mask = 0, old, wanted;
-        for (int c = 0; c < 4; ++c) mask |= clear.color_mask >> c & 1 ? kChannel[c] : 0;
-        std::memcpy(&old, pixel, 2), std::memcpy(&wanted, value, 2);
-        old = static_cast<uint16_t>((old & ~mask) | (wanted & mask));
-        std::memcpy(pixel, &old, 2);
+// A clear as bits of one pixel: the new ones, and which of them count.
+template <class Word, size_t kWords>
+struct PixelBits {
+    Word value[kWords], mask[kWords];
+
+    void store(Word* pixel) const {
+        for (size_t w = 0; w < kWords; ++w) pixel[w] = (pixel[w] & static_cast<Word>(~mask[w])) | value[w];
+    }
+};
+
+// A bin's pixels from (x0, y0) up to, not including, (x1, y1).
+struct BinRect {
+    int x0, y0, x1, y1;
+
+    bool is_whole_bin() const { return x0 == 0 && y0 == 0 && x1 == kBinSize && y1 == kBinSize; }
+};
+
+template <class Word, size_t kWords>
+void clear_plane(const PixelBits<Word, kWords>& bits, const BinRect& rect, void* plane) {
+    Word* const words = static_cast<Word*>(plane);
+    if (rect.is_whole_bin()) {
+        for (size_t i = 0; i < kBinPixels; ++i) bits.store(words + i * kWords);
         return;
     }
-    const size_t channel = size / 4;
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x)
+            bits.store(words + static_cast<size_t>(pixel_index(x, y)) * kWords);
+}
+
+// The bits of a format's channels that a colour mask lets through, as bytes of a pixel.
+void spread_color_mask(ColorFormat format, uint8_t color_mask, std::byte* pixel) {
+    const size_t size = static_cast<size_t>(bytes_per_pixel(format));
+    std::memset(pixel, 0, size);
+    if (format == ColorFormat::kRgb565) {
+        static constexpr uint16_t kChannel[3] = {0xf800, 0x07e0, 0x001f};
+        uint16_t mask = 0;
+        for (int c = 0; c < 3; ++c)
+            mask = static_cast<uint16_t>(mask | (color_mask >> c & 1 ? kChannel[c] : 0));
+        std::memcpy(pixel, &mask, sizeof mask);
+        return;
+    }
     for (size_t c = 0; c < 4; ++c)
-        if (clear.color_mask >> c & 1) std::memcpy(pixel + c * channel, value + c * channel, channel);
+        if (color_mask >> c & 1) std::memset(pixel + c * (size / 4), 0xff, size / 4);
+}
+
+template <class Word, size_t kWords>
+void clear_color(const BinClear& clear, ColorFormat format, const BinRect& rect, void* plane) {
+    std::byte value[16], mask[16];
+    encode_color(format, clear.values.color, value);
+    spread_color_mask(format, clear.color_mask, mask);
+    PixelBits<Word, kWords> bits;
+    std::memcpy(bits.value, value, sizeof bits.value);
+    std::memcpy(bits.mask, mask, sizeof bits.mask);
+    for (size_t w = 0; w < kWords; ++w) bits.value[w] = static_cast<Word>(bits.value[w] & bits.mask[w]);
+    clear_plane(bits, rect, plane);
+}
+
+void clear_color(const BinClear& clear, ColorFormat format, const BinRect& rect, void* plane) {
+    switch (format) {
+        case ColorFormat::kRgb565:
+            return clear_color<uint16_t, 1>(clear, format, rect, plane);
+        case ColorFormat::kRgba8:
+            return clear_color<uint32_t, 1>(clear, format, rect, plane);
+        case ColorFormat::kRgba16:
+            return clear_color<uint64_t, 1>(clear, format, rect, plane);
+        case ColorFormat::kRgba32F:
+            return clear_color<uint64_t, 2>(clear, format, rect, plane);
+    }
 }
 
 }  // namespace
@@ -45,17 +97,17 @@ void clear_bin(const BinClear& clear, Target& target, int index) {
         return;
     }
     target.materialize(index);
-    const ColorFormat format = target.format().color;
-    for (int y = std::max<int>(clear.y0 - bin.y, 0); y < std::min<int>(clear.y1 - bin.y, kBinSize); ++y) {
-        for (int x = std::max<int>(clear.x0 - bin.x, 0); x < std::min<int>(clear.x1 - bin.x, kBinSize); ++x) {
-            const size_t i = static_cast<size_t>(pixel_index(x, y));
-            if (clear.planes.color)
-                clear_color(clear, format, bin.color + i * static_cast<size_t>(bytes_per_pixel(format)));
-            if (clear.planes.depth && bin.depth) bin.depth[i] = clear.values.depth;
-            if (clear.planes.stencil && bin.stencil)
-                bin.stencil[i] = static_cast<uint8_t>((bin.stencil[i] & ~clear.stencil_mask) |
-                                                      (clear.values.stencil & clear.stencil_mask));
-        }
+    const BinRect rect{std::max(clear.x0 - bin.x, 0), std::max(clear.y0 - bin.y, 0),
+                       std::min(clear.x1 - bin.x, kBinSize), std::min(clear.y1 - bin.y, kBinSize)};
+    if (clear.planes.color) clear_color(clear, target.format().color, rect, bin.color);
+    if (clear.planes.depth && bin.depth) {
+        const PixelBits<uint32_t, 1> bits{{clear.values.depth}, {~0u}};
+        clear_plane(bits, rect, bin.depth);
+    }
+    if (clear.planes.stencil && bin.stencil) {
+        const PixelBits<uint8_t, 1> bits{{static_cast<uint8_t>(clear.values.stencil & clear.stencil_mask)},
+                                         {clear.stencil_mask}};
+        clear_plane(bits, rect, bin.stencil);
     }
     if (clear.planes.depth) target.forget_farthest(index);
 }

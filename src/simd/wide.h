@@ -243,6 +243,26 @@ TERRAZZO_INLINE void store_masked(Mask16 mask, I32x16 v, uint32_t* to) {
                                         out + p * kNativeLanes);
 }
 
+// Sixteen bytes; those stored are numbers from 0 to 255.
+TERRAZZO_INLINE I32x16 load_bytes(const uint8_t* from) {
+    I32x16 r;
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Set(TagI(), from[p]);
+#else
+    using TagBytes = hn::Rebind<uint8_t, TagI>;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::PromoteTo(TagI(), hn::LoadU(TagBytes(), from + p * kNativeLanes));
+#endif
+    return r;
+}
+TERRAZZO_INLINE void store_bytes(I32x16 v, uint8_t* to) {
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS to[p] = static_cast<uint8_t>(hn::GetLane(v.part[p]));
+#else
+    using TagBytes = hn::Rebind<uint8_t, TagI>;
+    TERRAZZO_FOR_PARTS hn::StoreU(hn::DemoteTo(TagBytes(), v.part[p]), TagBytes(), to + p * kNativeLanes);
+#endif
+}
+
 #if HWY_ARCH_ARM_V7 && HWY_TARGET != HWY_SCALAR
 // ARMv7's vectors only estimate quotients and roots; its scalar unit rounds them as everybody does.
 TERRAZZO_INLINE F32x16 operator/(F32x16 a, F32x16 b) {
@@ -402,7 +422,8 @@ TERRAZZO_INLINE uint32_t sign_bits(I32x16 v) {
 TERRAZZO_INLINE int32_t largest_lane(I32x16 v) {
 #if HWY_TARGET == HWY_SCALAR
     int32_t largest = hn::GetLane(v.part[0]);
-    for (int p = 1; p < kParts; ++p) largest = largest > hn::GetLane(v.part[p]) ? largest : hn::GetLane(v.part[p]);
+    for (int p = 1; p < kParts; ++p)
+        largest = largest > hn::GetLane(v.part[p]) ? largest : hn::GetLane(v.part[p]);
     return largest;
 #else
     NativeI largest = v.part[0];
@@ -417,6 +438,28 @@ TERRAZZO_INLINE I32x16 lane_numbers() {
                                                          8, 9, 10, 11, 12, 13, 14, 15};
     return load(kNumbers);
 }
+// Of a 4x4 tile: each pixel's neighbour in its 2x2 quad, across and along.
+TERRAZZO_INLINE F32x16 swap_columns(F32x16 v) {
+    F32x16 r;
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] = v.part[p ^ 1];
+#else
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Shuffle2301(v.part[p]);
+#endif
+    return r;
+}
+TERRAZZO_INLINE F32x16 swap_rows(F32x16 v) {
+    F32x16 r;
+    if constexpr (kNativeLanes <= 4) {
+        TERRAZZO_FOR_PARTS r.part[p] = v.part[p ^ (4 / kNativeLanes)];
+    } else {
+#if HWY_TARGET != HWY_SCALAR
+        TERRAZZO_FOR_PARTS r.part[p] = hn::SwapAdjacentBlocks(v.part[p]);
+#endif
+    }
+    return r;
+}
+
 // Column and row of each lane in a 4x4 tile.
 TERRAZZO_INLINE I32x16 lane_x() {
     return lane_numbers() & I32x16(3);

@@ -32,6 +32,9 @@ TERRAZZO_INLINE Color8 unpack_rgba8(I32x16 packed) {
     return {packed & byte, shift_right<8>(packed) & byte, shift_right<16>(packed) & byte,
             shift_right_logical<24>(packed)};
 }
+TERRAZZO_INLINE Color from_color8(const Color8& c) {
+    return {from_unorm8(c.r), from_unorm8(c.g), from_unorm8(c.b), from_unorm8(c.a)};
+}
 TERRAZZO_INLINE I32x16 pack_rgba8(Color8 c) {
     return c.r | shift_left<8>(c.g) | shift_left<16>(c.b) | shift_left<24>(c.a);
 }

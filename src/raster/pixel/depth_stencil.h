@@ -34,18 +34,6 @@ TERRAZZO_INLINE I32x16 quantize_depth(F32x16 z, int depth_bits) {
     return to_unorm(z, depth_maximum(depth_bits));
 }
 
-TERRAZZO_INLINE I32x16 load_stencil(const uint8_t* from) {
-    alignas(64) int32_t wide[16];
-    for (int i = 0; i < 16; ++i) wide[i] = from[i];
-    return load(wide);
-}
-TERRAZZO_INLINE void store_stencil(I32x16 v, uint32_t mask, uint8_t* to) {
-    alignas(64) int32_t wide[16];
-    store(v, wide);
-    for (int i = 0; i < 16; ++i)
-        if (mask >> i & 1) to[i] = static_cast<uint8_t>(wide[i]);
-}
-
 TERRAZZO_INLINE I32x16 apply(StencilOp op, I32x16 old, const StencilFace& face) {
     switch (op) {
         case StencilOp::kKeep:
@@ -73,7 +61,7 @@ TERRAZZO_NOINLINE void update_stencil(StencilOp op, I32x16 old, const StencilFac
     if (op == StencilOp::kKeep || mask == 0) return;
     const I32x16 writable(face.write_mask);
     const I32x16 value = (apply(op, old, face) & writable) | (old & (writable ^ I32x16(255)));
-    store_stencil(value, mask, to);
+    store_bytes(select(mask_from_bits(mask), value, old), to);
 }
 
 // Returns the bits of `mask` whose fragments pass both tests.
@@ -86,7 +74,7 @@ TERRAZZO_INLINE uint32_t depth_stencil_test(Key key, const FragmentState& state,
     const StencilFace& face = state.stencil[primitive.back_facing ? 1 : 0];
     I32x16 old_stencil(0);
     if (k.stencil_test) {
-        old_stencil = load_stencil(stencil);
+        old_stencil = load_bytes(stencil);
         const I32x16 relevant(face.compare_mask);
         const uint32_t pass =
             bits_of(compare(face.func, I32x16(face.reference) & relevant, old_stencil & relevant)) & mask;

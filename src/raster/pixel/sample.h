@@ -194,7 +194,11 @@ class RepeatedBilinear {
 
 TERRAZZO_INLINE TexelPairs sample_fixed(const Sampler& sampler, const MipLevel& level, Filter filter,
                                         F32x16 s, F32x16 t) {
-    if (sampler.dimensions == 2) return sample_fixed_2d(sampler.wrap_s, sampler.wrap_t, level, filter, s, t);
+    if (sampler.dimensions == 2) {
+        const bool repeats = sampler.wrap_s == Wrap::kRepeat && sampler.wrap_t == Wrap::kRepeat;
+        if (repeats && filter == Filter::kLinear) return RepeatedBilinear(level).at(s, t);
+        return sample_fixed_2d(sampler.wrap_s, sampler.wrap_t, level, filter, s, t);
+    }
     const FixedAxis x = fixed_axis(sampler.wrap_s, filter, s, level.width);
     const I32x16 row(0);
     const TexelPairs first = split_pairs(fetch_rgba8(level, x.first, row));
@@ -248,7 +252,7 @@ TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level,
     Color c;
     if (sampler.storage == TexelStorage::kRgba8) {
         const Color8 texel = unpack_rgba8(gather(static_cast<const int32_t*>(level.texels), index));
-        c = {from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
+        c = from_color8(texel);
     } else {
         const float* const texels = static_cast<const float*>(level.texels);
         const I32x16 first = shift_left<2>(index);
@@ -288,107 +292,73 @@ TERRAZZO_INLINE bool samples_fixed(const Sampler& sampler) {
 TERRAZZO_NOINLINE Color sample_level(const Sampler& sampler, int level, Filter filter, F32x16 s, F32x16 t) {
     const MipLevel& mip = sampler.levels[static_cast<size_t>(level)];
     if (!samples_fixed(sampler)) return sample_float(sampler, mip, filter, s, t);
-    const Color8 c = to_color8(sample_fixed(sampler, mip, filter, s, t));
-    return {from_unorm8(c.r), from_unorm8(c.g), from_unorm8(c.b), from_unorm8(c.a)};
+    return from_color8(to_color8(sample_fixed(sampler, mip, filter, s, t)));
 }
 
-// log2 of the scale factor, one value for each 2x2 quad of the tile (GL 1.5 §3.8.8 with the reference's
-// differences: to the right and upwards from the quad's first pixel, log2 linear between powers of two).
-struct QuadLod {
-    float lambda[4];
-};
-
-inline float fast_log2(float x) {
-    uint32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    const float exponent = static_cast<float>(static_cast<int32_t>(bits >> 23) - 127);
-    bits = (bits & 0x7fffffu) | 0x3f800000u;
-    float mantissa;
-    std::memcpy(&mantissa, &bits, sizeof mantissa);
-    return exponent + (mantissa - 1.0f);
+// log2, linear between powers of two as the reference has it.
+TERRAZZO_INLINE F32x16 fast_log2(F32x16 x) {
+    const I32x16 bits = as_int(x);
+    const F32x16 exponent = to_float(shift_right_logical<23>(bits) - I32x16(127));
+    const F32x16 mantissa = as_float((bits & I32x16(0x7fffff)) | I32x16(0x3f800000));
+    return exponent + (mantissa - F32x16(1.0f));
 }
 
-TERRAZZO_NOINLINE QuadLod quad_lod(const Sampler& sampler, F32x16 s, F32x16 t) {
-    alignas(64) float u[16], v[16];
-    store(s * F32x16(static_cast<float>(sampler.levels[0].width)), u);
-    store(t * F32x16(static_cast<float>(sampler.levels[0].height)), v);
-    QuadLod lod;
-    for (int q = 0; q < 4; ++q) {
-        const int i = (q >> 1) * 8 + (q & 1) * 2;
-        float dx = u[i + 1] - u[i], dy = u[i + 4] - u[i];
-        float rho_x = dx * dx, rho_y = dy * dy;
-        if (sampler.dimensions == 2) {
-            dx = v[i + 1] - v[i], dy = v[i + 4] - v[i];
-            rho_x += dx * dx, rho_y += dy * dy;
-        }
-        const float rho2 = rho_x > rho_y ? rho_x : rho_y;
-        float lambda = 0.5f * fast_log2(rho2) + sampler.lod_bias;
-        lambda = lambda < sampler.min_lod   ? sampler.min_lod
-                 : lambda > sampler.max_lod ? sampler.max_lod
-                                            : lambda;
-        lod.lambda[q] = lambda;
+// log2 of the scale factor of each pixel, one value for each 2x2 quad of the tile (GL 1.5 §3.8.8 with the
+// reference's difference: to the right and upwards from the quad's first pixel).
+TERRAZZO_NOINLINE F32x16 level_of_detail(const Sampler& sampler, F32x16 s, F32x16 t) {
+    const F32x16 u = s * F32x16(static_cast<float>(sampler.levels[0].width));
+    const F32x16 du_dx = swap_columns(u) - u, du_dy = swap_rows(u) - u;
+    F32x16 rho_x = du_dx * du_dx, rho_y = du_dy * du_dy;
+    if (sampler.dimensions == 2) {
+        const F32x16 v = t * F32x16(static_cast<float>(sampler.levels[0].height));
+        const F32x16 dv_dx = swap_columns(v) - v, dv_dy = swap_rows(v) - v;
+        rho_x = rho_x + dv_dx * dv_dx, rho_y = rho_y + dv_dy * dv_dy;
     }
-    return lod;
+    F32x16 lambda = F32x16(0.5f) * fast_log2(select(rho_x > rho_y, rho_x, rho_y)) + F32x16(sampler.lod_bias);
+    // What counts is in the first column and row of each quad.
+    lambda = select(mask_from_bits(0xaaaa), swap_columns(lambda), lambda);
+    lambda = select(mask_from_bits(0xf0f0), swap_rows(lambda), lambda);
+    const F32x16 low(sampler.min_lod), high(sampler.max_lod);
+    return select(lambda < low, low, select(lambda > high, high, lambda));
 }
-
-// The pixels of quads 0..3 as tile masks.
-inline constexpr uint16_t kQuadMask[4] = {0x0033, 0x00cc, 0x3300, 0xcc00};
 
 TERRAZZO_INLINE Color select(Mask16 mask, const Color& yes, const Color& no) {
     return {select(mask, yes.r, no.r), select(mask, yes.g, no.g), select(mask, yes.b, no.b),
             select(mask, yes.a, no.a)};
 }
 
-// Mip-mapped minification of the quads in `minified`, by distinct level.
-TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, const QuadLod& lod, F32x16 s, F32x16 t,
+// The texels of two neighbouring levels mixed, the second with `weight` 256ths.
+TERRAZZO_INLINE Color mix_levels(const Sampler& sampler, int level, I32x16 weight, F32x16 s, F32x16 t) {
+    const int next = std::min(level + 1, sampler.level_count - 1);
+    if (!samples_fixed(sampler)) {
+        return lerp(sample_level(sampler, level, sampler.min_filter, s, t),
+                    sample_level(sampler, next, sampler.min_filter, s, t),
+                    to_float(weight) * F32x16(1.0f / 256.0f));
+    }
+    const auto texels = [&](int l) {
+        return sample_fixed(sampler, sampler.levels[static_cast<size_t>(l)], sampler.min_filter, s, t);
+    };
+    const TexelPairs first = texels(level), second = texels(next);
+    return from_color8(to_color8(lerp_pairs(first, second, pair_weights(weight))));
+}
+
+// Mip-mapped minification of the pixels in `active`, level by level; most tiles have one.
+TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, F32x16 lambda, F32x16 s, F32x16 t,
                                          uint32_t active) {
-    const int last = sampler.level_count - 1;
+    const bool linear = sampler.mip_filter == MipFilter::kLinear;
+    const F32x16 l = clamp(lambda, F32x16(0.0f), F32x16(static_cast<float>(sampler.level_count - 1)));
+    const F32x16 base = floor(linear ? l : l + F32x16(0.5f));
+    const I32x16 levels = truncate_to_int(base), weight = truncate_to_int((l - base) * F32x16(256.0f));
+    alignas(64) int32_t level_of[16];
+    store(levels, level_of);
     Color result{0.0f, 0.0f, 0.0f, 0.0f};
-    uint32_t todo = active;
-    for (int q = 0; q < 4; ++q) {
-        if (!(todo & kQuadMask[q])) continue;
-        const float lambda = lod.lambda[q];
-        int level;
-        uint32_t same = kQuadMask[q];
-        if (sampler.mip_filter == MipFilter::kNearest) {
-            const auto nearest = [&](float l) {
-                return std::clamp(static_cast<int>(std::floor(l + 0.5f)), 0, last);
-            };
-            level = nearest(lambda);
-            for (int other = q + 1; other < 4; ++other)
-                if (nearest(lod.lambda[other]) == level) same |= kQuadMask[other];
-            result =
-                select(mask_from_bits(same), sample_level(sampler, level, sampler.min_filter, s, t), result);
-        } else {
-            const auto below = [&](float l) { return std::clamp(static_cast<int>(std::floor(l)), 0, last); };
-            level = below(lambda);
-            alignas(64) float weights[16] = {};
-            for (int other = q; other < 4; ++other) {
-                const float l = lod.lambda[other];
-                if (below(l) != level) continue;
-                same |= kQuadMask[other];
-                const float fraction = l < 0 || level == last ? 0.0f : l - static_cast<float>(level);
-                const float weight = static_cast<float>(static_cast<int>(fraction * 256.0f));
-                for (int i = 0; i < 16; ++i)
-                    if (kQuadMask[other] >> i & 1) weights[i] = weight;
-            }
-            const int next = std::min(level + 1, last);
-            Color mixed;
-            if (samples_fixed(sampler)) {
-                const TexelPairs a = sample_fixed(sampler, sampler.levels[static_cast<size_t>(level)],
-                                                  sampler.min_filter, s, t);
-                const TexelPairs b = sample_fixed(sampler, sampler.levels[static_cast<size_t>(next)],
-                                                  sampler.min_filter, s, t);
-                const Color8 c = to_color8(lerp_pairs(a, b, pair_weights(truncate_to_int(load(weights)))));
-                mixed = {from_unorm8(c.r), from_unorm8(c.g), from_unorm8(c.b), from_unorm8(c.a)};
-            } else {
-                mixed = lerp(sample_level(sampler, level, sampler.min_filter, s, t),
-                             sample_level(sampler, next, sampler.min_filter, s, t),
-                             load(weights) * F32x16(1.0f / 256.0f));
-            }
-            result = select(mask_from_bits(same), mixed, result);
-        }
-        todo &= ~same;
+    for (uint32_t todo = active; todo != 0;) {
+        const int level = level_of[std::countr_zero(todo)];
+        const Mask16 same = levels == I32x16(level);
+        const Color texel = linear ? mix_levels(sampler, level, weight, s, t)
+                                   : sample_level(sampler, level, sampler.min_filter, s, t);
+        todo &= ~bits_of(same);
+        result = select(same, texel, result);
     }
     return result;
 }
@@ -398,18 +368,16 @@ TERRAZZO_NOINLINE Color sample_texture(const Sampler& sampler, F32x16 s, F32x16 
     const bool filters_agree =
         sampler.mip_filter == MipFilter::kNone && sampler.min_filter == sampler.mag_filter;
     if (filters_agree) return sample_level(sampler, 0, sampler.mag_filter, s, t);
-    const QuadLod lod = quad_lod(sampler, s, t);
-    uint32_t magnified = 0;
-    for (int q = 0; q < 4; ++q)
-        if (!(lod.lambda[q] > 0)) magnified |= kQuadMask[q];
-    Color magnification{0.0f, 0.0f, 0.0f, 0.0f}, minification = magnification;
-    if (magnified & mask) magnification = sample_level(sampler, 0, sampler.mag_filter, s, t);
-    if (~magnified & mask) {
-        minification = sampler.mip_filter == MipFilter::kNone
-                           ? sample_level(sampler, 0, sampler.min_filter, s, t)
-                           : sample_mipmapped(sampler, lod, s, t, mask & ~magnified);
-    }
-    return select(mask_from_bits(magnified), magnification, minification);
+    const F32x16 lambda = level_of_detail(sampler, s, t);
+    const Mask16 minified = lambda > F32x16(0.0f);
+    const uint32_t small = bits_of(minified) & mask, large = mask & ~small;
+    const auto minification = [&] {
+        return sampler.mip_filter == MipFilter::kNone ? sample_level(sampler, 0, sampler.min_filter, s, t)
+                                                      : sample_mipmapped(sampler, lambda, s, t, small);
+    };
+    if (large == 0) return minification();
+    const Color magnification = sample_level(sampler, 0, sampler.mag_filter, s, t);
+    return small == 0 ? magnification : select(minified, minification(), magnification);
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

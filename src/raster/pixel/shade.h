@@ -80,8 +80,7 @@ TERRAZZO_INLINE TexelPairs bilinear_texel(const SharedByTiles& shared, const Int
 
 TERRAZZO_INLINE Color modulate_bilinear(const SharedByTiles& shared, const Interpolator& at, F32x16 w,
                                         const Color& f) {
-    const Color8 texel = to_color8(bilinear_texel(shared, at, w));
-    const Color t{from_unorm8(texel.r), from_unorm8(texel.g), from_unorm8(texel.b), from_unorm8(texel.a)};
+    const Color t = from_color8(to_color8(bilinear_texel(shared, at, w)));
     return {f.r * t.r, f.g * t.g, f.b * t.b, shared.opaque ? f.a : f.a * t.a};
 }
 
