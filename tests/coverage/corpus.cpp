@@ -145,13 +145,6 @@ struct Astray {
     uint32_t signs;
 };
 
-float any_number(Random& random) {
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    const float not_a_number = std::numeric_limits<float>::quiet_NaN();
-    return random.one_of(
-        {not_a_number, kInfinity, -kInfinity, 3e38f, -3e38f, 1e20f, -1e20f, 1e-40f, 1e30f, 65536.0f, -1e9f});
-}
-
 float comparable_number(Random& random, const Astray& astray, bool perspective, uint32_t coordinate) {
     const float infinity = std::numeric_limits<float>::infinity();
     const float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -168,8 +161,8 @@ void lead_astray(Random& random, Strays strays, Cell& cell) {
     for (auto& vertex : cell.vertices) {
         if (!random.chance(3)) continue;
         const uint32_t c = random.below(4);
-        vertex[c] = strays == Strays::kAll ? any_number(random)
-                                           : comparable_number(random, astray, cell.perspective, c);
+        vertex[c] =
+            strays == Strays::kAll ? random.stray() : comparable_number(random, astray, cell.perspective, c);
     }
 }
 

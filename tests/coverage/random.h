@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <random>
 
 namespace terrazzo::coverage {
@@ -24,6 +25,13 @@ class Random {
     template <typename Value>
     Value one_of(std::initializer_list<Value> values) {
         return values.begin()[below(static_cast<uint32_t>(values.size()))];
+    }
+
+    // Nothing that a vertex should be made of.
+    float stray() {
+        constexpr float kInfinity = std::numeric_limits<float>::infinity();
+        return one_of({std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity, 3e38f, -3e38f, 1e20f,
+                       -1e20f, 1e-40f, 1e30f, 65536.0f, -1e9f});
     }
 
   private:

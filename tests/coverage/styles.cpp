@@ -20,6 +20,7 @@ void enable(const Gl& gl, GLenum what, bool on) {
 struct Vertex {
     std::array<float, 3> position, normal;
     std::array<float, 4> color;
+    std::array<float, 4> texture{0, 0, 0, 1};
     GLboolean edge;
 };
 
@@ -104,17 +105,20 @@ void set_depth(const Gl& gl, Random& random) {
 void send(const Gl& gl, const Vertex& v) {
     gl.Color4fv(v.color.data());
     gl.Normal3fv(v.normal.data());
+    gl.TexCoord4fv(v.texture.data());
     gl.EdgeFlag(v.edge);
     gl.Vertex3fv(v.position.data());
 }
 
 void draw_arrays(const Gl& gl, GLenum mode, const std::vector<Vertex>& vertices, bool indexed) {
     constexpr GLsizei kStride = sizeof(Vertex);
-    const GLenum arrays[] = {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_EDGE_FLAG_ARRAY};
+    const GLenum arrays[] = {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY,
+                             GL_EDGE_FLAG_ARRAY};
     for (const GLenum array : arrays) gl.EnableClientState(array);
     gl.VertexPointer(3, GL_FLOAT, kStride, vertices[0].position.data());
     gl.ColorPointer(4, GL_FLOAT, kStride, vertices[0].color.data());
     gl.NormalPointer(GL_FLOAT, kStride, vertices[0].normal.data());
+    gl.TexCoordPointer(4, GL_FLOAT, kStride, vertices[0].texture.data());
     gl.EdgeFlagPointer(kStride, &vertices[0].edge);
     if (indexed) {
         std::vector<GLuint> indices;
@@ -149,14 +153,47 @@ std::vector<Vertex> make_vertices(Random& random, bool edges) {
     return vertices;
 }
 
+void lead_astray(Random& random, std::vector<Vertex>& vertices) {
+    const auto some = [&](auto& numbers) {
+        for (float& number : numbers)
+            if (random.chance(8)) number = random.stray();
+    };
+    for (Vertex& v : vertices) {
+        for (float& coordinate : v.texture) coordinate = random.number(-2, 2);
+        some(v.position), some(v.normal), some(v.color), some(v.texture);
+    }
+}
+
+void set_textures(const Gl& gl, Random& random) {
+    GLubyte texels[16 * 16 * 4];
+    for (GLubyte& byte : texels) byte = static_cast<GLubyte>(random.below(256));
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    for (GLint level = 1; level <= 4; ++level)
+        gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, 16 >> level, 16 >> level, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      texels);
+    const GLint filter =
+        random.one_of<GLint>({GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR});
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, random.one_of<GLint>({GL_NEAREST, GL_LINEAR}));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, random.one_of<GLint>({GL_REPEAT, GL_CLAMP}));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, random.one_of<GLint>({GL_REPEAT, GL_CLAMP}));
+    enable(gl, GL_TEXTURE_2D, random.chance(2));
+    gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE,
+               random.one_of<GLint>({GL_SPHERE_MAP, GL_EYE_LINEAR, GL_OBJECT_LINEAR}));
+    enable(gl, GL_TEXTURE_GEN_S, random.chance(3));
+    gl.Fogi(GL_FOG_MODE, random.one_of<GLint>({GL_LINEAR, GL_EXP, GL_EXP2}));
+    enable(gl, GL_FOG, random.chance(3));
+}
+
 // Display lists do without edge flags and without quads of fewer than four vertices: doc/reference.md §3.3,
 // defects.
-void draw_primitives(const Gl& gl, Random& random) {
+void draw_primitives(const Gl& gl, Random& random, bool strays) {
     constexpr uint32_t kList = 2;
     for (int i = 0; i < 9; ++i) {
         const GLenum mode = random.below(GL_POLYGON + 1);
         const uint32_t way = random.below(5);
-        const std::vector<Vertex> vertices = make_vertices(random, way != kList && random.chance(3));
+        std::vector<Vertex> vertices = make_vertices(random, way != kList && random.chance(3));
+        if (strays) lead_astray(random, vertices);
         switch (way) {
             case 0:
                 draw_arrays(gl, mode, vertices, false);
@@ -180,8 +217,8 @@ void draw_primitives(const Gl& gl, Random& random) {
 
 }  // namespace
 
-std::vector<StylePicture> draw_styles(const std::string& path, uint32_t seed, uint32_t first,
-                                      uint32_t count) {
+std::vector<StylePicture> draw_styles(const std::string& path, uint32_t seed, uint32_t first, uint32_t count,
+                                      bool strays) {
     const kit::Library library(path);
     const Gl& gl = library.gl;
     std::vector<StylePicture> pictures;
@@ -198,7 +235,8 @@ std::vector<StylePicture> draw_styles(const std::string& path, uint32_t seed, ui
         set_polygons(gl, random);
         set_lines_and_points(gl, random);
         set_lights(gl, random);
-        draw_primitives(gl, random);
+        if (strays) set_textures(gl, random);
+        draw_primitives(gl, random, strays);
         gl.Finish();
         const auto colors = context.colour_buffer();
         pictures.push_back({{colors.begin(), colors.end()}, context.read_stencil(), context.read_depth()});

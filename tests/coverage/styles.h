@@ -20,7 +20,8 @@ struct StylePicture {
 };
 
 // A number of pictures from the one of that number on.
+// `strays`: textured, and with any numbers in place of some of the vertices'.
 std::vector<StylePicture> draw_styles(const std::string& library, uint32_t seed, uint32_t first,
-                                      uint32_t count);
+                                      uint32_t count, bool strays);
 
 }  // namespace terrazzo::coverage
