@@ -185,14 +185,13 @@ void set_textures(const Gl& gl, Random& random) {
     enable(gl, GL_FOG, random.chance(3));
 }
 
-// Display lists do without edge flags and without quads of fewer than four vertices: doc/reference.md §3.3,
-// defects.
+// Display lists do without quads of fewer than four vertices: doc/reference.md §3.3, defects.
 void draw_primitives(const Gl& gl, Random& random, bool strays) {
     constexpr uint32_t kList = 2;
     for (int i = 0; i < 9; ++i) {
         const GLenum mode = random.below(GL_POLYGON + 1);
         const uint32_t way = random.below(5);
-        std::vector<Vertex> vertices = make_vertices(random, way != kList && random.chance(3));
+        std::vector<Vertex> vertices = make_vertices(random, random.chance(3));
         if (strays) lead_astray(random, vertices);
         switch (way) {
             case 0:
