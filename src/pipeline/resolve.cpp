@@ -114,7 +114,8 @@ void copy_clear_color(const Target& target, const Bin& bin, const Rows& rows) {
                       rows.first + std::ptrdiff_t{x} * Layout::kPixelBytes);
     }
     const std::size_t row_bytes = static_cast<std::size_t>(rows.width) * Layout::kPixelBytes;
-    for (int y = 1; y < rows.height; ++y) std::memcpy(rows.first + y * rows.stride, rows.first, row_bytes);
+    // A client may have asked for rows that overlap.
+    for (int y = 1; y < rows.height; ++y) std::memmove(rows.first + y * rows.stride, rows.first, row_bytes);
 }
 
 template <class Layout>
