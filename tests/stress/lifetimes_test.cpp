@@ -259,7 +259,7 @@ int threads_of_this_process() {
 bool threads_go_down_to(int count) {
     using namespace std::chrono_literals;
     const auto end = std::chrono::steady_clock::now() + 20s;
-    while (threads_of_this_process() != count) {
+    while (threads_of_this_process() > count) {
         if (std::chrono::steady_clock::now() > end) return false;
         std::this_thread::sleep_for(1ms);
     }
@@ -280,6 +280,7 @@ TEST(Library, LoadedAndUnloadedAgain) {
 }
 
 TEST(Library, DISABLED_Reload) {
+    std::thread([] {}).join();  // a sanitizer starts a thread of its own beside the first
     const int before = threads_of_this_process();
     for (int round = 0; round < 20; ++round) {
         void* const handle = dlopen(TERRAZZO_OWN_LIBRARY, RTLD_NOW | RTLD_LOCAL);
