@@ -9,6 +9,7 @@
 #include <iterator>
 #include <vector>
 
+#include "pipeline/float_environment.h"
 #include "pipeline/geometry_table.h"
 #include "random.h"
 #include "raster/kernel_table.h"
@@ -179,6 +180,8 @@ void expect_same(const Sink& expected, const Sink& found) {
 }
 
 class GeometryKernels : public testing::TestWithParam<simd::Isa> {
+    const FloatEnvironment m_environment;  // as the renderer has it: ARMv7's vectors know no denormals
+
   protected:
     const GeometryTable& table = geometry_of(GetParam());
     const GeometryTable& scalar = geometry_of(simd::Isa::kScalar);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 
+#include "pipeline/float_environment.h"
 #include "random.h"
 #include "raster/kernel_table.h"
 
@@ -210,7 +211,7 @@ struct Scene {
         }
         p.planes()[1] = random.between(1.6f, 3);  // 1/w stays positive in the target
         constexpr float kExtremes[] = {std::numeric_limits<float>::quiet_NaN(),
-                                        std::numeric_limits<float>::infinity(), 1e38f, -1e38f};
+                                       std::numeric_limits<float>::infinity(), 1e38f, -1e38f};
         if (random.once_in(8)) p.planes()[random.below(3 * p.plane_count)] = random.one_of(kExtremes);
     }
 
@@ -288,7 +289,10 @@ bool equal(GuardedPlane& a, GuardedPlane& b) {
     return std::memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
-class PixelKernels : public testing::TestWithParam<const KernelTable*> {};
+class PixelKernels : public testing::TestWithParam<const KernelTable*> {
+    // As the renderer has it: ARMv7's vectors know no denormals.
+    const pipeline::FloatEnvironment m_environment;
+};
 
 TEST_P(PixelKernels, DrawWhatScalarDraws) {
     int touched = 0;

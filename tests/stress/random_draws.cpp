@@ -1,4 +1,7 @@
 // The commands behind a seed; see random_draws.h.
+//
+// Numbers that belong together are drawn into a variable first: in which order a call's arguments are
+// evaluated is the compiler's choice, and a seed must mean the same on every processor.
 #include "random_draws.h"
 
 #include <vector>
@@ -114,15 +117,20 @@ class Player {
         gl.MatrixMode(GL_MODELVIEW);
         gl.LoadIdentity();
         gl.Translatef(0, 0, m_random.between(-5, -2));
-        gl.Rotatef(m_random.between(-180, 180), m_random.between(-1, 1), m_random.between(-1, 1), 1);
-        if (m_random.once_in(3)) gl.Scalef(m_random.between(0.3f, 2), m_random.between(0.3f, 2), 1);
+        const float turn[3] = {m_random.between(-180, 180), m_random.between(-1, 1), m_random.between(-1, 1)};
+        gl.Rotatef(turn[0], turn[1], turn[2], 1);
+        if (m_random.once_in(3)) {
+            const float scale[2] = {m_random.between(0.3f, 2), m_random.between(0.3f, 2)};
+            gl.Scalef(scale[0], scale[1], 1);
+        }
         for (int plane = 0; plane < 3; ++plane) {
             const GLdouble equation[4] = {m_random.between(-1, 1), m_random.between(-1, 1),
                                           m_random.between(-1, 1), m_random.between(0, 1)};
             gl.ClipPlane(GL_CLIP_PLANE0 + static_cast<GLenum>(plane), equation);
             enable(GL_CLIP_PLANE0 + static_cast<GLenum>(plane), m_random.once_in(8));
         }
-        gl.DepthRange(m_random.between(0, 0.3f), m_random.between(0.7f, 1));
+        const float range[2] = {m_random.between(0, 0.3f), m_random.between(0.7f, 1)};
+        gl.DepthRange(range[0], range[1]);
     }
 
     void lighting() {
@@ -133,7 +141,8 @@ class Player {
         gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, m_random.once_in(3));
         gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, m_random.once_in(3));
         gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, m_random.between(0, 128));
-        gl.Materialfv(m_random.coin() ? GL_FRONT : GL_FRONT_AND_BACK, GL_DIFFUSE, color().values);
+        const GLenum face = m_random.coin() ? GL_FRONT : GL_FRONT_AND_BACK;
+        gl.Materialfv(face, GL_DIFFUSE, color().values);
         gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, color().values);
         for (GLenum light = GL_LIGHT0; light < GL_LIGHT3; ++light) {
             enable(light, m_random.coin());
@@ -193,9 +202,11 @@ class Player {
         enable(GL_POINT_SMOOTH, m_random.once_in(4));
         enable(GL_LINE_SMOOTH, m_random.once_in(4));
         enable(GL_LINE_STIPPLE, m_random.once_in(4));
-        gl.LineStipple(1 + m_random.below(5), static_cast<GLushort>(m_random.below(65536)));
+        const int stipple[2] = {1 + m_random.below(5), m_random.below(65536)};
+        gl.LineStipple(stipple[0], static_cast<GLushort>(stipple[1]));
         enable(GL_POLYGON_OFFSET_FILL, m_random.once_in(4));
-        gl.PolygonOffset(m_random.between(-2, 2), m_random.between(-4, 4));
+        const float offset[2] = {m_random.between(-2, 2), m_random.between(-4, 4)};
+        gl.PolygonOffset(offset[0], offset[1]);
         enable(GL_POLYGON_STIPPLE, m_random.once_in(6));
         const auto pattern = texels(128);
         gl.PolygonStipple(pattern.data());
@@ -210,13 +221,16 @@ class Player {
             GL_DST_ALPHA};
         constexpr GLenum kStencilOps[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT};
         enable(GL_SCISSOR_TEST, m_random.once_in(5));
-        gl.Scissor(m_random.below(m_width / 2 + 1), m_random.below(m_height / 2 + 1), m_random.below(m_width),
-                   m_random.below(m_height));
+        const int box[4] = {m_random.below(m_width / 2 + 1), m_random.below(m_height / 2 + 1),
+                            m_random.below(m_width), m_random.below(m_height)};
+        gl.Scissor(box[0], box[1], box[2], box[3]);
         enable(GL_ALPHA_TEST, m_random.once_in(5));
-        gl.AlphaFunc(m_random.one_of(kCompares), m_random.between(0, 1));
+        const GLenum alpha_test = m_random.one_of(kCompares);
+        gl.AlphaFunc(alpha_test, m_random.between(0, 1));
         enable(GL_STENCIL_TEST, m_random.once_in(4));
-        gl.StencilFunc(m_random.one_of(kCompares), m_random.below(256),
-                       static_cast<GLuint>(m_random.below(256)));
+        const GLenum stencil_test = m_random.one_of(kCompares);
+        const int stencil[2] = {m_random.below(256), m_random.below(256)};
+        gl.StencilFunc(stencil_test, stencil[0], static_cast<GLuint>(stencil[1]));
         const GLenum fail = m_random.one_of(kStencilOps), depth_fail = m_random.one_of(kStencilOps);
         gl.StencilOp(fail, depth_fail, m_random.one_of(kStencilOps));
         gl.StencilMask(m_random.coin() ? 0xffu : static_cast<GLuint>(m_random.below(256)));
