@@ -18,13 +18,14 @@ void specialised_kernel(const FragmentState& state, const Primitive& primitive, 
 }
 
 constexpr FragmentKey hot_key(bool depth, Compare func, bool perspective, bool interpolated_color,
-                              TextureKind texture) {
+                              TextureKind texture, BlendKind blend = BlendKind::kNone) {
     FragmentKey key;
     key.depth_test = key.depth_write = depth;
     key.depth_func = func;
     key.perspective = perspective;
     key.interpolated_color = interpolated_color;
     key.texture = texture;
+    key.blend = blend;
     return key;
 }
 
@@ -57,6 +58,17 @@ constexpr Specialised kSpecialised[] = {
     specialise<hot_key(true, Compare::kLessEqual, true, false, kBilinear)>(),
     specialise<hot_key(true, Compare::kLess, true, true, kBilinear)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear)>(),
+    // What programs draw with most besides: sprites, texts and panes, and see-through parts of scenes.
+    specialise<hot_key(false, Compare::kLess, false, false, kBilinear)>(),
+    specialise<hot_key(false, Compare::kLess, false, true, kBilinear)>(),
+    specialise<hot_key(false, Compare::kLess, false, false, kBilinear, BlendKind::kAlpha)>(),
+    specialise<hot_key(false, Compare::kLess, false, true, kBilinear, BlendKind::kAlpha)>(),
+    specialise<hot_key(false, Compare::kLess, false, false, TextureKind::kNone, BlendKind::kAlpha)>(),
+    specialise<hot_key(false, Compare::kLess, false, true, TextureKind::kNone, BlendKind::kAlpha)>(),
+    specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone, BlendKind::kAlpha)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone, BlendKind::kAlpha)>(),
+    specialise<hot_key(true, Compare::kLess, true, true, kBilinear, BlendKind::kAlpha)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear, BlendKind::kAlpha)>(),
 #endif
 };
 

@@ -72,6 +72,7 @@ struct Scene {
         key.depth_test = random.coin();
         key.depth_write = key.depth_test && !random.once_in(4);
         key.depth_func = random.coin() ? Compare::kLess : static_cast<Compare>(random.below(8));
+        if (random.once_in(3)) key.blend = BlendKind::kAlpha;
         if (random.coin()) return;
         key.color_format = random.one_of(kFormats);
         key.color_mask = static_cast<std::uint8_t>(random.coin() ? 15 : random.below(16));
