@@ -72,8 +72,9 @@ class BlockDepths {
         const float down = m_dady * static_cast<float>(kTileSize * row);
         const uint32_t hidden = bits_of(m_along + F32x16(m_nearest + down) > old);
         if (m_lowers && covered != 0) {
-            // Depths are cut off at 0 and 1 before they are compared: bounds stay between them.
-            const F32x16 bound = max(m_along + F32x16(m_farthest + down), F32x16(0.0f));
+            // Depths are cut off at 0 and 1 before they are compared: bounds stay between them. In this order
+            // a NaN stays one.
+            const F32x16 bound = max(F32x16(0.0f), m_along + F32x16(m_farthest + down));
             const Mask16 lower = (bound < old) & (bound < F32x16(1.0f)) & mask_from_bits(covered & ~hidden);
             store(select(lower, bound, old), bounds);
         }
