@@ -158,10 +158,15 @@ GLuint create_tiled_texture(const kit::Gl& gl, int size, int tiles, std::uint32_
     constexpr Colour kJoint{70, 66, 62};
     constexpr Colour kGlazes[] = {{196, 178, 150}, {150, 92, 70}, {92, 112, 128}, {212, 206, 192}};
     const int edge = size / tiles, joint = edge / 24 + 1;
+    std::vector<int> grains(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge));
+    Grain grain(4, seed);
+    for (int y = 0; y < edge; ++y)
+        for (int x = 0; x < edge; ++x) grains[static_cast<std::size_t>(y * edge + x)] = grain.at(x, y);
     std::array<Image, 4> glazed;
     for (std::size_t i = 0; i < glazed.size(); ++i) {
-        glazed[i] = fill(edge, [=, grain = Grain(4, seed)](int x, int y) mutable {
-            return scaled(x < joint || y < joint ? kJoint : kGlazes[i], grain.at(x, y), 256);
+        glazed[i] = fill(edge, [&](int x, int y) {
+            return scaled(x < joint || y < joint ? kJoint : kGlazes[i],
+                          grains[static_cast<std::size_t>(y * edge + x)], 256);
         });
     }
     const GLuint name = create_repeating(gl, size, size, nullptr);
