@@ -58,6 +58,9 @@ constexpr Specialised kSpecialised[] = {
     specialise<hot_key(true, Compare::kLessEqual, true, false, kBilinear)>(),
     specialise<hot_key(true, Compare::kLess, true, true, kBilinear)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear)>(),
+    // Lit models with textures of any kind, mip-mapped ones above all.
+    specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kGeneral)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kGeneral)>(),
     // What programs draw with most besides: sprites, texts and panes, and see-through parts of scenes.
     specialise<hot_key(false, Compare::kLess, false, false, kBilinear)>(),
     specialise<hot_key(false, Compare::kLess, false, true, kBilinear)>(),
