@@ -12,7 +12,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "kit/child.h"
+#include "child_runs.h"
 #include "meshes.h"
 #include "sheets.h"
 
@@ -48,10 +48,6 @@ json serve_strays(const json& a) {
     return to_binary(draw_strays(a.at("library"), a.at("seed"), a.at("count")));
 }
 
-uint32_t number_from(const char* variable, uint32_t otherwise) {
-    const char* const text = std::getenv(variable);
-    return text ? static_cast<uint32_t>(std::strtoul(text, nullptr, 10)) : otherwise;
-}
 uint32_t seed() {
     return number_from("TERRAZZO_COVERAGE_SEED", 1);
 }
@@ -59,28 +55,11 @@ uint32_t cell_count() {
     return (number_from("TERRAZZO_COVERAGE_PRIMITIVES", 200000) + kCellPrimitives - 1) / kCellPrimitives;
 }
 
-struct Renderer {
-    const char* library;
-    const char* threads;
-    const char* isa;  // "": the best
-};
-constexpr Renderer kOurs{TERRAZZO_OWN_LIBRARY, "0", ""}, kThreaded{TERRAZZO_OWN_LIBRARY, "4", "scalar"};
-constexpr Renderer kTheirs{TERRAZZO_REFERENCE_LIBRARY, "0", ""};
-
 template <typename Value>
 std::vector<Value> run(const char* task, const Renderer& renderer, json arguments) {
-    arguments["library"] = renderer.library;
     arguments["seed"] = seed();
-    kit::ChildRequest request{
-        .executable = {},
-        .task = task,
-        .arguments = std::move(arguments),
-        .environment = {{"LP_NUM_THREADS", "0"}, {"TERRAZZO_THREADS", renderer.threads}},
-        .timeout = std::chrono::minutes(4)};
-    if (*renderer.isa) request.environment.emplace_back("TERRAZZO_ISA", renderer.isa);
-    const kit::ChildReport report = kit::run_in_child(request);
-    EXPECT_TRUE(report.finished()) << renderer.library << ": " << report.message << '\n' << report.output;
-    return report.finished() ? from_binary<Value>(report.result) : std::vector<Value>();
+    const json result = run_task(task, renderer, std::move(arguments));
+    return result.is_null() ? std::vector<Value>() : from_binary<Value>(result);
 }
 
 bool has_reference() {

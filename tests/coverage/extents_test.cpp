@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "kit/child.h"
+#include "child_runs.h"
 #include "kit/offscreen.h"
 #include "random.h"
 
@@ -38,14 +38,10 @@ json draw_extent(const json& a) {
     return json::binary({picture.begin(), picture.end()});
 }
 
-std::vector<uint8_t> picture_of(const char* library, int width, int height) {
-    kit::ChildRequest request;
-    request.task = "extent";
-    request.arguments = {{"library", library}, {"width", width}, {"height", height}};
-    const kit::ChildReport report = kit::run_in_child(request);
-    EXPECT_TRUE(report.finished()) << report.message << '\n' << report.output;
-    if (!report.finished()) return {};
-    return report.result.get_binary();
+std::vector<uint8_t> picture_of(const Renderer& renderer, int width, int height) {
+    const json result = run_task("extent", renderer, {{"width", width}, {"height", height}});
+    if (result.is_null()) return {};
+    return result.get_binary();
 }
 
 class Extents : public testing::TestWithParam<std::pair<int, int>> {};
@@ -54,8 +50,8 @@ TEST_P(Extents, AreTheReferences) {
     if (std::ifstream(TERRAZZO_REFERENCE_LIBRARY).fail())
         GTEST_SKIP() << TERRAZZO_REFERENCE_LIBRARY " is missing";
     const auto [width, height] = GetParam();
-    const std::vector<uint8_t> ours = picture_of(TERRAZZO_OWN_LIBRARY, width, height),
-                               theirs = picture_of(TERRAZZO_REFERENCE_LIBRARY, width, height);
+    const std::vector<uint8_t> ours = picture_of(kOurs, width, height),
+                               theirs = picture_of(kTheirs, width, height);
     ASSERT_EQ(ours.size(), static_cast<size_t>(width) * static_cast<size_t>(height) * 4);
     ASSERT_EQ(theirs.size(), ours.size());
     size_t drawn = 0, wrong = 0;

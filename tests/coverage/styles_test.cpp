@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "kit/child.h"
+#include "child_runs.h"
 
 namespace terrazzo::coverage {
 namespace {
@@ -27,30 +27,9 @@ json serve_styles(const json& a) {
     return pictures;
 }
 
-uint32_t number_from(const char* variable, uint32_t otherwise) {
-    const char* const text = std::getenv(variable);
-    return text ? static_cast<uint32_t>(std::strtoul(text, nullptr, 10)) : otherwise;
-}
-
-struct Renderer {
-    const char* library;
-    const char* threads;
-    const char* isa;  // "": the best
-};
-constexpr Renderer kOurs{TERRAZZO_OWN_LIBRARY, "0", ""}, kThreaded{TERRAZZO_OWN_LIBRARY, "4", "scalar"};
-constexpr Renderer kTheirs{TERRAZZO_REFERENCE_LIBRARY, "0", ""};
-
 json run(const Renderer& renderer, uint32_t first, uint32_t count, bool strays = false) {
-    kit::ChildRequest request{
-        .executable = {},
-        .task = "styles",
-        .arguments = {{"library", renderer.library}, {"first", first}, {"count", count}, {"strays", strays}},
-        .environment = {{"LP_NUM_THREADS", "0"}, {"TERRAZZO_THREADS", renderer.threads}},
-        .timeout = std::chrono::minutes(4)};
-    if (*renderer.isa) request.environment.emplace_back("TERRAZZO_ISA", renderer.isa);
-    const kit::ChildReport report = kit::run_in_child(request);
-    EXPECT_TRUE(report.finished()) << renderer.library << ": " << report.message << '\n' << report.output;
-    return report.finished() ? report.result : json::array();
+    json result = run_task("styles", renderer, {{"first", first}, {"count", count}, {"strays", strays}});
+    return result.is_null() ? json::array() : result;
 }
 
 struct Tally {
