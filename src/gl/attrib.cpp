@@ -192,7 +192,7 @@ void restore(Context& ctx, const SavedAttributes& saved) {
         fragment.color = saved.color_buffer->state;
         clear.color = saved.color_buffer->clear_color;
         clear.index = saved.color_buffer->clear_index;
-        ctx.framebuffer.draw_buffer = saved.color_buffer->draw_buffer;
+        select_draw_buffer(ctx, saved.color_buffer->draw_buffer);
     }
     if (saved.current) {
         ctx.vertex.current = saved.current->attributes;

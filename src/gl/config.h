@@ -7,6 +7,7 @@ struct Config {
     int depth_bits = 24;
     int stencil_bits = 8;
     int accum_bits = 0;  // per component
+    bool double_buffered = false;
 };
 
 }  // namespace terrazzo::gl

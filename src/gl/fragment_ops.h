@@ -24,7 +24,7 @@ struct AlphaTestState {
 struct StencilState {
     bool enabled = false;
     GLenum func = GL_ALWAYS;
-    GLint reference = 0;  // as specified; clamped to the buffer's range where it is used
+    GLint reference = 0;       // as specified; clamped to the buffer's range where it is used
     GLuint value_mask = 0xff;  // all bits of the deepest stencil buffer there is
     GLuint write_mask = 0xff;
     GLenum fail = GL_KEEP;

@@ -4,22 +4,26 @@
 #include <algorithm>
 
 #include "gl/change.h"
+#include "gl/draw.h"
 #include "gl/generated/commands.h"
 
 namespace terrazzo::gl {
 namespace {
 
 // GL_INVALID_ENUM for what is no buffer, GL_INVALID_OPERATION for buffers that are not there (GL 1.5 §4.2.1).
-// The render target has one colour buffer, front left, and like OSMesa we take back left for another name of
-// it: programs written for double-buffered windows ask for it.
-GLenum check_buffer(GLenum buffer) {
+GLenum check_buffer(const Context& ctx, GLenum buffer) {
     switch (buffer) {
         case GL_FRONT:
-        case GL_BACK:
         case GL_LEFT:
         case GL_FRONT_LEFT:
-        case GL_BACK_LEFT:
             return GL_NO_ERROR;
+        case GL_BACK:
+        case GL_BACK_LEFT: {
+            const Drawable* drawable = ctx.surface.draw.get();
+            const bool there =
+                drawable ? drawable->buffering() != Buffering::kSingle : ctx.config.double_buffered;
+            return there ? GL_NO_ERROR : GL_INVALID_OPERATION;
+        }
         case GL_RIGHT:
         case GL_FRONT_RIGHT:
         case GL_BACK_RIGHT:
@@ -32,12 +36,25 @@ GLenum check_buffer(GLenum buffer) {
     return GL_INVALID_ENUM;
 }
 
+// Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer stands for them.
+bool names_front(GLenum buffer) {
+    return buffer == GL_FRONT || buffer == GL_FRONT_LEFT;
+}
+
 // NaN becomes 0.
 GLdouble clamp_depth(GLdouble depth) {
     return depth > 0 ? std::min(depth, 1.0) : 0;
 }
 
 }  // namespace
+
+ColorBuffer drawn_color_buffer(const Context& ctx) {
+    return names_front(ctx.framebuffer.draw_buffer) ? ColorBuffer::kFront : ColorBuffer::kBack;
+}
+
+ColorBuffer read_color_buffer(const Context& ctx) {
+    return names_front(ctx.framebuffer.read_buffer) ? ColorBuffer::kFront : ColorBuffer::kBack;
+}
 
 void viewport(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
@@ -83,14 +100,24 @@ void clear_accum(Context& ctx, GLfloat red, GLfloat green, GLfloat blue, GLfloat
 
 void draw_buffer(Context& ctx, GLenum buf) {
     const bool none_or_several = buf == GL_NONE || buf == GL_FRONT_AND_BACK;
-    if (const GLenum error = none_or_several ? GL_NO_ERROR : check_buffer(buf)) {
+    if (const GLenum error = none_or_several ? GL_NO_ERROR : check_buffer(ctx, buf)) {
         return record_error(ctx, error, "no such draw buffer");
     }
-    change(ctx, Dirty::kFragment, ctx.framebuffer.draw_buffer, buf);
+    select_draw_buffer(ctx, buf);
+}
+
+void select_draw_buffer(Context& ctx, GLenum buffer) {
+    if (buffer == ctx.framebuffer.draw_buffer) return;
+    // A front buffer that loses its context's attention is shown now: Flush looks only at what is drawn to
+    // then.
+    present(ctx);
+    finish_drawing(ctx);
+    change(ctx, Dirty::kFragment, ctx.framebuffer.draw_buffer, buffer);
+    if (ctx.surface.draw) ctx.surface.draw->select(drawn_color_buffer(ctx));
 }
 
 void read_buffer(Context& ctx, GLenum src) {
-    if (const GLenum error = check_buffer(src)) return record_error(ctx, error, "no such read buffer");
+    if (const GLenum error = check_buffer(ctx, src)) return record_error(ctx, error, "no such read buffer");
     ctx.framebuffer.read_buffer = src;
 }
 

@@ -6,6 +6,8 @@
 
 #include <array>
 
+#include "gl/drawable.h"
+
 namespace terrazzo::gl {
 
 // The part that glPushAttrib(GL_VIEWPORT_BIT) saves.
@@ -26,8 +28,16 @@ struct ClearValues {
 struct FramebufferState {
     ViewportState viewport;
     ClearValues clear;
-    GLenum draw_buffer = GL_FRONT;  // OSMesa's render target is single-buffered
+    GLenum draw_buffer = GL_FRONT;  // GL_BACK in contexts for double-buffered drawables
     GLenum read_buffer = GL_FRONT;
+    bool has_met_drawable = false;  // the first one gives viewport and scissor box their size
 };
+
+// The colour buffers that glDrawBuffer and glReadBuffer chose.
+ColorBuffer drawn_color_buffer(const Context& ctx);
+ColorBuffer read_color_buffer(const Context& ctx);
+
+// glDrawBuffer with a checked argument. Throws std::bad_alloc.
+void select_draw_buffer(Context& ctx, GLenum buffer);
 
 }  // namespace terrazzo::gl

@@ -135,7 +135,8 @@ void set_material(Context& ctx, GLenum face, GLenum pname, const GLfloat* params
         set_material(ctx, face, GL_AMBIENT, params);
         set_material(ctx, face, GL_DIFFUSE, params);
     } else if (pname == GL_SHININESS) {
-        vary_material(ctx, material_attribute(face, pname), {material.shininess, 0, 0, 1}, {*params, 0, 0, 1});
+        vary_material(ctx, material_attribute(face, pname), {material.shininess, 0, 0, 1},
+                      {*params, 0, 0, 1});
         change(ctx, Dirty::kLighting, material.shininess, *params);
     } else if (pname == GL_COLOR_INDEXES) {
         change(ctx, Dirty::kLighting, material.color_indexes, std::array{params[0], params[1], params[2]});

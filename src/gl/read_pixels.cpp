@@ -135,11 +135,13 @@ class PixelReader {
 };
 
 Rule check_buffers(const Context& ctx, GLenum format) {
+    if (!has_read_source(ctx)) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
+    const raster::TargetFormat& source = ctx.surface.read->target()->format();
     if (format == GL_COLOR_INDEX) return {GL_INVALID_OPERATION, "the frame buffer holds no colour indices"};
-    if (format == GL_DEPTH_COMPONENT && ctx.surface.format.depth_bits == 0) {
+    if (format == GL_DEPTH_COMPONENT && source.depth_bits == 0) {
         return {GL_INVALID_OPERATION, "there is no depth buffer"};
     }
-    if (format == GL_STENCIL_INDEX && ctx.surface.format.stencil_bits == 0) {
+    if (format == GL_STENCIL_INDEX && source.stencil_bits == 0) {
         return {GL_INVALID_OPERATION, "there is no stencil buffer"};
     }
     return {};

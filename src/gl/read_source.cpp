@@ -11,14 +11,25 @@
 namespace terrazzo::gl {
 namespace {
 
-raster::Target& finished_target(Context& ctx) {
+Drawable& finished_drawable(Context& ctx) {
     finish_drawing(ctx);
-    return *ctx.renderer.target();
+    return *ctx.surface.read;
 }
 
 }  // namespace
 
-ReadSource::ReadSource(Context& ctx) : m_target(finished_target(ctx)) {}
+bool has_read_source(const Context& ctx) {
+    return ctx.surface.read && ctx.surface.read->target();
+}
+
+ReadSource::ReadSource(Context& ctx)
+    : m_drawable(finished_drawable(ctx)), m_selected(m_drawable.selected()), m_target(*m_drawable.target()) {
+    m_drawable.select(read_color_buffer(ctx));
+}
+
+ReadSource::~ReadSource() {
+    m_drawable.select(m_selected);
+}
 
 ReadRect ReadSource::clip(GLint x, GLint y, GLsizei width, GLsizei height) const {
     const int64_t x0 = std::max(x, 0), x1 = std::min(int64_t{x} + width, int64_t{m_target.width()});

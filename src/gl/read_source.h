@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "gl/drawable.h"
 #include "raster/target.h"
 
 namespace terrazzo::gl {
@@ -19,11 +20,17 @@ struct ReadRect {
     GLsizei skipped_columns, skipped_rows;
 };
 
-// The context's render target when everything is drawn.
+// Whether there is a buffer to read from; a context may be current without.
+bool has_read_source(const Context& ctx);
+
+// The buffer that ReadBuffer chose when everything is drawn.
 class ReadSource {
   public:
-    // Draws what is queued. Throws std::bad_alloc.
+    // Draws what is queued; there must be a buffer to read from. Throws std::bad_alloc.
     explicit ReadSource(Context& ctx);
+    ~ReadSource();
+    ReadSource(const ReadSource&) = delete;
+    ReadSource& operator=(const ReadSource&) = delete;
 
     ReadRect clip(GLint x, GLint y, GLsizei width, GLsizei height) const;
 
@@ -39,6 +46,8 @@ class ReadSource {
     int row(int y) const { return m_target.height() - 1 - y; }  // row 0 of a window's target is its top row
 
   private:
+    Drawable& m_drawable;
+    ColorBuffer m_selected;  // before
     raster::Target& m_target;
 };
 

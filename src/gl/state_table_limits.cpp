@@ -55,7 +55,8 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     // The render target
     {GL_RGBA_MODE, [](Context&, Out& out) { out = true; }},
     {GL_INDEX_MODE, [](Context&, Out& out) { out = false; }},
-    {GL_DOUBLEBUFFER, [](Context&, Out& out) { out = false; }},
+    {GL_DOUBLEBUFFER,
+     [](Context& c, Out& out) { out = c.surface.draw && c.surface.draw->is_double_buffered(); }},
     {GL_STEREO, [](Context&, Out& out) { out = false; }},
     {GL_AUX_BUFFERS, [](Context&, Out& out) { out = 0; }},
     {GL_INDEX_BITS, [](Context&, Out& out) { out = 0; }},

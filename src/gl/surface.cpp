@@ -1,51 +1,77 @@
-// The surface a context draws to, and Flush and Finish (GL 1.5 §5.5).
+// The drawables a context draws to and reads from, and Flush and Finish (GL 1.5 §5.5).
 #include "gl/surface.h"
+
+#include <utility>
 
 #include "gl/context.h"
 #include "gl/draw.h"
+#include "gl/framebuffer.h"
 #include "gl/generated/commands.h"
 
 namespace terrazzo::gl {
+namespace {
 
-void attach_surface(Context& ctx, const Surface& surface) {
-    begin_change(ctx, Dirty::kFramebuffer);
-    const bool first = ctx.surface.width == 0;
-    const bool same = surface.width == ctx.surface.width && surface.height == ctx.surface.height &&
-                      surface.format == ctx.surface.format;
-    const bool drawn = same && ctx.surface.drawn;
-    if (!same) {
-        ctx.renderer.set_target(
-            std::make_shared<raster::Target>(surface.width, surface.height, surface.format));
-    }
-    ctx.surface = surface;
-    ctx.surface.drawn = drawn;
-    if (first) {
-        viewport(ctx, 0, 0, surface.width, surface.height);
-        scissor(ctx, 0, 0, surface.width, surface.height);
-    }
+void use_target(Context& ctx, Drawable* drawable) {
+    if (drawable) drawable->select(drawn_color_buffer(ctx));
+    const auto target = drawable ? drawable->target() : nullptr;
+    if (target == ctx.renderer.target()) return;
+    begin_change(ctx, Dirty::kAll);
+    ctx.renderer.set_target(target);
+    Surface& surface = ctx.surface;
+    surface.drawn = false;
+    surface.width = target ? target->width() : 0;
+    surface.height = target ? target->height() : 0;
+    surface.format = target ? target->format() : raster::TargetFormat{};
+    if (!target || std::exchange(ctx.framebuffer.has_met_drawable, true)) return;
+    viewport(ctx, 0, 0, target->width(), target->height());
+    scissor(ctx, 0, 0, target->width(), target->height());
+}
+
+}  // namespace
+
+void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_ptr<Drawable> read) {
+    finish_drawing(ctx);
+    use_target(ctx, draw.get());
+    ctx.surface.draw = std::move(draw);
+    ctx.surface.read = std::move(read);
+}
+
+void follow_drawables(Context& ctx) {
+    use_target(ctx, ctx.surface.draw.get());
 }
 
 void present(Context& ctx) {
     begin_change(ctx, Dirty::kFramebuffer);
-    if (!ctx.surface.drawn || !ctx.surface.present) return;
+    if (!ctx.surface.drawn || !ctx.surface.draw || ctx.surface.draw->selected() != ColorBuffer::kFront)
+        return;
     ctx.surface.drawn = false;
-    ctx.surface.present(ctx, ctx.surface.front_end);
+    ctx.surface.draw->show_front(ctx);
 }
 
-void copy_picture(Context& ctx, pipeline::PixelLayout layout, std::byte* bottom_row, std::ptrdiff_t stride) {
+void copy_picture(Context& ctx, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
+                  std::ptrdiff_t stride) {
     flush_vertices(ctx);
     // Row 0 of a window's target is its top row.
     std::byte* const top_row = bottom_row + (ctx.surface.height - 1) * stride;
+    Drawable& drawable = *ctx.surface.draw;
+    const ColorBuffer selected = drawable.selected();
+    if (drawable.is_double_buffered() && buffer != selected) {
+        ctx.renderer.finish();
+        drawable.select(buffer);
+    }
     ctx.renderer.finish(layout, top_row, -stride);
+    drawable.select(selected);
 }
 
+// Back buffers are drawn when they are swapped or read: nobody can see them before.
 void flush(Context& ctx) {
     present(ctx);
 }
 
-// Nothing runs behind the caller's back once a picture is presented.
+// Nothing runs behind the caller's back once a picture is drawn.
 void finish(Context& ctx) {
     present(ctx);
+    ctx.renderer.finish();
 }
 
 }  // namespace terrazzo::gl

@@ -1,13 +1,13 @@
-// The window system's side of a context: what the render target looks like and how its picture is shown.
+// Where a context draws and reads, and how its pictures leave it.
 //
-// The front end hands a Surface over when it makes the context current. Flush and Finish draw what is queued
-// and then call `present`, which copies the finished picture to wherever the window system wants it. What has
-// been shown already is not shown again: `present` is called only when something was drawn since the last
-// time.
+// The front end makes drawables current with `attach_drawables`. Flush and Finish draw what is queued and
+// then show it if it went to a front buffer. What has been shown already is not shown again.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
+#include "gl/drawable.h"
 #include "pipeline/resolve.h"
 #include "raster/target.h"
 
@@ -15,24 +15,30 @@ namespace terrazzo::gl {
 
 struct Context;
 
+// What commands need to know of the buffers that are drawn to.
 struct Surface {
-    int width = 0;  // 0: none yet
+    std::shared_ptr<Drawable> draw, read;  // null: none
+    int width = 0;                         // 0: there is no buffer to draw to
     int height = 0;
     raster::TargetFormat format;
-    void (*present)(Context&, void* front_end) = nullptr;
-    void* front_end = nullptr;
     bool drawn = false;  // set by whatever draws or clears, even when nothing comes of it
 };
 
-// Gives the context a surface. The first one also sets viewport and scissor box to its size (GL 1.5 §2.11.1,
-// §4.1.2). The picture, with depth and stencil, stays if size and format do. Throws std::bad_alloc and
-// changes nothing then.
-void attach_surface(Context& ctx, const Surface& surface);
+// Makes the drawables, or none, the context's; draws first what is queued for others. The first time that
+// there is one to draw to also sets viewport and scissor box to its size (GL 1.5 §2.11.1, §4.1.2). Throws
+// std::bad_alloc and changes nothing then.
+void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_ptr<Drawable> read);
 
-// Draws what is queued and shows it if there is anything new.
+// To be called when a drawable of the context may have other buffers than before.
+void follow_drawables(Context& ctx);
+
+// Draws what is queued and shows it if there is anything new to be seen.
 void present(Context& ctx);
 
-// Draws what is queued and copies the picture out; `bottom_row` is where the lowest row goes.
-void copy_picture(Context& ctx, pipeline::PixelLayout layout, std::byte* bottom_row, std::ptrdiff_t stride);
+// Draws what is queued and copies a colour buffer of the drawable that is drawn to (or its depth) out;
+// `bottom_row` is where the lowest row goes. Throws std::bad_alloc only if a front buffer's pixels are asked
+// for that are not there yet.
+void copy_picture(Context& ctx, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
+                  std::ptrdiff_t stride);
 
 }  // namespace terrazzo::gl

@@ -14,6 +14,8 @@
 namespace terrazzo::gl {
 namespace {
 
+constexpr const char* kNoSource = "there is no buffer to read from";
+
 // Copies the pixels from window position (x, y) on into `rect` of the image.
 void copy_pixels(const PixelState& state, const ReadSource& source, GLint x, GLint y, const LevelRect& rect,
                  const TexelFormat& format, pipeline::TextureImage& image) {
@@ -52,6 +54,7 @@ void copy_tex_image(Context& ctx, GLenum target, const LevelSpec& spec, GLint x,
         return record_error(ctx, GL_INVALID_ENUM, "unknown internal format");
     if (!is_supported_size(spec)) return record_error(ctx, GL_INVALID_VALUE, "the size is not supported");
     if (!is_supported_memory(spec, *format)) throw std::bad_alloc();
+    if (!has_read_source(ctx)) return record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, kNoSource);
     TextureLevel level = make_level(spec, *format);
     const ReadSource source(ctx);
     if (level.image) {
@@ -67,6 +70,7 @@ void copy_tex_sub_image(Context& ctx, GLenum target, GLint level_number, const L
                         GLint y) {
     if (!is_level(level_number)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
     if (rect.width < 0 || rect.height < 0) return record_error(ctx, GL_INVALID_VALUE, "the size is negative");
+    if (!has_read_source(ctx)) return record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, kNoSource);
     const ReadSource source(ctx);
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "gl/context.h"
-#include "pipeline/trigonometry.h"
 #include "gl/validate.h"
+#include "pipeline/trigonometry.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "raster/color_format.h"
 #include "raster/kernel_table.h"
@@ -23,7 +24,7 @@ Target::Target(int width, int height, TargetFormat format)
       m_bins_up((height + kBinSize - 1) / kBinSize),
       m_format(format) {
     const size_t bins = static_cast<size_t>(bin_count()), pixels = bins * kBinPixels;
-    m_color = Plane<std::byte>(pixels * static_cast<size_t>(bytes_per_pixel(format.color)));
+    m_color = Plane<std::byte>(color_bytes());
     if (format.depth_bits != 0) {
         m_depth = Plane<uint32_t>(pixels);
         m_farthest = Plane<float>(bins * kBinTiles);
@@ -88,6 +89,16 @@ void Target::materialize(int index, ClearPlanes wanted) {
         std::memset(planes.stencil, info.clear.stencil, kBinPixels);
         info.pending.stencil = false;
     }
+}
+
+size_t Target::color_bytes() const {
+    return static_cast<size_t>(bin_count()) * kBinPixels * static_cast<size_t>(bytes_per_pixel(m_format.color));
+}
+
+void Target::exchange_color() {
+    if (!m_other_color) m_other_color = Plane<std::byte>(color_bytes());
+    for (int i = 0; i < bin_count(); ++i) materialize(i, {true, false, false});
+    std::swap(m_color, m_other_color);
 }
 
 void Target::forget_farthest(int index) {

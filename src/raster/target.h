@@ -102,6 +102,9 @@ class Target {
     void materialize(int index) { materialize(index, {true, true, true}); }
     // The same for some planes.
     void materialize(int index, ClearPlanes wanted);
+    // Draws to, or shows, another colour buffer from now on, with the same depth and stencil, and back again the next
+    // time. The first time it is all zero. Throws std::bad_alloc and changes nothing then.
+    void exchange_color();
     // Lets a bin's depths be anything: for those who write them outside the kernels.
     void forget_farthest(int index);
     BinState& state(int index) { return m_states[static_cast<size_t>(index)]; }
@@ -120,10 +123,13 @@ class Target {
         ZeroedMemory m_memory;
     };
 
+    size_t color_bytes() const;
+
     int m_width, m_height, m_bins_across, m_bins_up;
     TargetFormat m_format;
     // Null where the format has no such plane.
     Plane<std::byte> m_color;
+    Plane<std::byte> m_other_color;  // null until it is asked for
     Plane<uint32_t> m_depth;
     Plane<uint8_t> m_stencil;
     Plane<float> m_farthest;

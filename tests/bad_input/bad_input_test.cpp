@@ -12,6 +12,7 @@
 #include "gl/entry.h"
 #include "gl/surface.h"
 #include "state_dump.h"
+#include "attach_picture.h"
 #include "valid_calls.h"
 
 namespace terrazzo::test {
@@ -55,9 +56,7 @@ class BadInput : public testing::Test {
     void restart() {
         gl::make_current(nullptr);
         m_ctx = gl::create_context(gl::Config{}, nullptr);
-        gl::Surface surface;
-        surface.width = surface.height = 16;
-        gl::attach_surface(*m_ctx, surface);
+        gl::attach_picture(*m_ctx, 16, 16);
         gl::make_current(m_ctx.get());
         gl.BindTexture(GL_TEXTURE_2D, g_names[0]);
         gl.BindTexture(GL_TEXTURE_2D, 0);

@@ -10,6 +10,7 @@
 #include "gl/generated/commands.h"
 #include "gl/surface.h"
 #include "raster/target.h"
+#include "attach_picture.h"
 
 namespace {
 
@@ -24,10 +25,7 @@ class BothFrameBuffers : public BothLibraries {
   public:
     BothFrameBuffers(const terrazzo::test::Osmesa& reference, unsigned seed, bool with_transfer)
         : BothLibraries(reference, seed), m_with_transfer(with_transfer) {
-        terrazzo::gl::Surface surface;
-        surface.width = kWidth;
-        surface.height = kHeight;
-        attach_surface(*context, surface);
+        attach_picture(*context, kWidth, kHeight);
         fill();
         // GL 1.5 §4.3.2 clamps what is read; the reference leaves that to the type.
         clamp_theirs = with_transfer;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gl/context.h"
+#include "attach_picture.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -32,9 +33,7 @@ struct Outcome {
 
 std::unique_ptr<Context> make_context() {
     auto ctx = create_context(Config{}, nullptr);
-    Surface surface;
-    surface.width = surface.height = kSize;
-    attach_surface(*ctx, surface);
+    attach_picture(*ctx, kSize, kSize);
     make_current(ctx.get());
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHT0);
@@ -60,7 +59,7 @@ Outcome outcome_of(Context& ctx) {
     outcome.errors = ctx.error.count;
     if (ctx.vertex.open) glEnd();
     outcome.pixels.resize(kSize * kSize * 4);
-    copy_picture(ctx, pipeline::PixelLayout::kRgba8, outcome.pixels.data(), kSize * 4);
+    copy_picture(ctx, ColorBuffer::kFront, pipeline::PixelLayout::kRgba8, outcome.pixels.data(), kSize * 4);
     const auto append = [&](auto query, int count) {
         std::array<GLfloat, 16> values{};
         query(values.data());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gl/context.h"
+#include "attach_picture.h"
 
 namespace {
 
@@ -52,9 +53,7 @@ constexpr int kSize = 32;
 class MemoryTest : public testing::Test {
   protected:
     MemoryTest() : m_ctx(create_context(Config{}, nullptr)) {
-        Surface surface;
-        surface.width = surface.height = kSize;
-        attach_surface(*m_ctx, surface);
+        attach_picture(*m_ctx, kSize, kSize);
         make_current(m_ctx.get());
     }
     ~MemoryTest() override { make_current(nullptr); }
@@ -166,16 +165,11 @@ TEST_F(MemoryTest, ContextsAndSurfaces) {
         allocations_left = allocations;
         try {
             const auto ctx = create_context(Config{}, m_ctx.get());
-            Surface surface;
-            surface.width = surface.height = 2 * kSize;
-            attach_surface(*ctx, surface);
+            attach_picture(*ctx, 2 * kSize, 2 * kSize);
         } catch (const std::bad_alloc&) {
         }
         try {
-            Surface surface;
-            surface.width = kSize + 1;
-            surface.height = kSize;
-            attach_surface(*m_ctx, surface);
+            attach_picture(*m_ctx, kSize + 1, kSize);
         } catch (const std::bad_alloc&) {
             EXPECT_EQ(m_ctx->surface.width, kSize);
         }

@@ -8,6 +8,7 @@
 #include "gl/generated/commands.h"
 #include "gl/surface.h"
 #include "gl_fixture.h"
+#include "attach_picture.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -260,10 +261,7 @@ const BadCall kBadCalls[] = {
 class TextureErrors : public GlTest {
   protected:
     TextureErrors() {
-        Surface surface;
-        surface.width = surface.height = 16;
-        surface.format = {raster::ColorFormat::kRgba8, true, 0, 0};
-        attach_surface(ctx(), surface);
+        attach_picture(ctx(), 16, 16, {raster::ColorFormat::kRgba8, true, 0, 0});
         bind_texture(ctx(), GL_TEXTURE_2D, 10);
         for (size_t i = 0; i < sizeof texels; ++i) texels[i] = static_cast<uint8_t>(i);
         tex_image_2d(ctx(), GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);

@@ -9,6 +9,7 @@
 #include "gl/generated/commands.h"
 #include "gl/surface.h"
 #include "gl_fixture.h"
+#include "attach_picture.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -203,9 +204,7 @@ class Copies : public TextureImages {
     static constexpr int kSize = 8;
 
     Copies() {
-        Surface surface;
-        surface.width = surface.height = kSize;
-        attach_surface(ctx(), surface);
+        attach_picture(ctx(), kSize, kSize);
         raster::Target& target = *ctx().renderer.target();
         target.materialize(0);
         const raster::Bin bin = target.bin(0);

@@ -63,6 +63,7 @@ OSMesaContext OSMesaCreateContextAttribs(const int* attributes, OSMesaContext sh
     if (!parsed) return nullptr;
     auto context = std::make_unique<osmesa_context>();
     context->gl = gl::create_context(parsed->config, share_list ? share_list->gl.get() : nullptr);
+    context->drawable = std::make_shared<osmesa::ClientBuffer>(*context);
     context->format = parsed->format;
     return context.release();
 } catch (const std::exception&) {
@@ -99,13 +100,8 @@ GLboolean OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type, GL
     const auto layout = osmesa::pixel_layout(context->format, type);
     if (!layout) return refuse("the format of the context does not go with this type");
 
-    gl::Surface surface;
-    surface.width = width;
-    surface.height = height;
-    surface.format = target_format(*layout, context->gl->config);
-    surface.present = osmesa::present;
-    surface.front_end = context;
-    gl::attach_surface(*context->gl, surface);
+    context->drawable->allocate(width, height, target_format(*layout, context->gl->config));
+    gl::attach_drawables(*context->gl, context->drawable, context->drawable);
     if (width != context->width || height != context->height) context->depth = {};
     context->buffer = static_cast<std::byte*>(buffer);
     context->type = type;

@@ -12,8 +12,28 @@
 
 #include "gl/context.h"
 
+struct osmesa_context;
+
+namespace terrazzo::osmesa {
+
+// The client's buffer as something to draw to.
+class ClientBuffer : public gl::Drawable {
+  public:
+    explicit ClientBuffer(osmesa_context& context)
+        : Drawable(gl::Buffering::kSingleByEitherName), m_context(context) {}
+
+    // Copies the finished picture to the client's buffer, and depth if the client has asked for it.
+    void show_front(gl::Context& ctx) override;
+
+  private:
+    osmesa_context& m_context;
+};
+
+}  // namespace terrazzo::osmesa
+
 struct osmesa_context {
     std::unique_ptr<terrazzo::gl::Context> gl;
+    std::shared_ptr<terrazzo::osmesa::ClientBuffer> drawable;
     int format = 0;  // OSMESA_RGBA ...
 
     // Set by OSMesaMakeCurrent; `buffer` is null before the first one.
@@ -33,9 +53,6 @@ struct osmesa_context {
 };
 
 namespace terrazzo::osmesa {
-
-// Copies the finished picture to the client's buffer, and depth if the client has asked for it.
-void present(gl::Context& ctx, void* context);
 
 // Fills `context.depth`. Throws std::bad_alloc.
 void read_depth(osmesa_context& context);

@@ -7,15 +7,16 @@
 
 namespace terrazzo::osmesa {
 
-void present(gl::Context& ctx, void* front_end) {
-    osmesa_context& context = *static_cast<osmesa_context*>(front_end);
+void ClientBuffer::show_front(gl::Context& ctx) {
+    osmesa_context& context = m_context;
     const pipeline::PixelLayout layout = *pixel_layout(context.format, context.type);
     const int row_pixels = context.row_length > 0 ? context.row_length : context.width;
     const std::ptrdiff_t stride = std::ptrdiff_t{row_pixels} * pipeline::bytes_per_pixel(layout);
     if (context.y_up) {
-        gl::copy_picture(ctx, layout, context.buffer, stride);
+        gl::copy_picture(ctx, gl::ColorBuffer::kFront, layout, context.buffer, stride);
     } else {
-        gl::copy_picture(ctx, layout, context.buffer + (context.height - 1) * stride, -stride);
+        gl::copy_picture(ctx, gl::ColorBuffer::kFront, layout, context.buffer + (context.height - 1) * stride,
+                         -stride);
     }
     if (!context.depth.empty()) read_depth(context);
 }
@@ -26,7 +27,7 @@ void read_depth(osmesa_context& context) {
                                              : pipeline::PixelLayout::kDepth24Stencil8;
     const std::ptrdiff_t stride = std::ptrdiff_t{context.width} * pipeline::bytes_per_pixel(layout);
     context.depth.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(context.height));
-    gl::copy_picture(*context.gl, layout, context.depth.data(), stride);
+    gl::copy_picture(*context.gl, gl::ColorBuffer::kFront, layout, context.depth.data(), stride);
 }
 
 }  // namespace terrazzo::osmesa

@@ -1,0 +1,71 @@
+// The frame buffer that a window system gives to contexts: a window, pixmap, pbuffer or a client's memory
+// (GL 1.5 §4.2.1).
+//
+// The front end derives from Drawable, owns it and says how its pictures are shown; contexts that draw to it
+// or read from it keep it alive. Depth and stencil are shared by its one or two colour buffers. Not
+// synchronised: contexts of two threads that draw to one drawable at a time get an undefined picture, as GL
+// has it.
+#pragma once
+
+#include <memory>
+
+#include "raster/target.h"
+
+namespace terrazzo::gl {
+
+struct Context;
+
+enum class ColorBuffer { kFront, kBack };
+
+enum class Buffering {
+    kSingle,
+    kSingleByEitherName,  // the back buffer is another name of the front buffer, as in OSMesa
+    kDouble,
+};
+
+class Drawable {
+  public:
+    explicit Drawable(Buffering buffering) : m_buffering(buffering) {}
+    virtual ~Drawable() = default;
+    Drawable(const Drawable&) = delete;
+    Drawable& operator=(const Drawable&) = delete;
+
+    Buffering buffering() const { return m_buffering; }
+    bool is_double_buffered() const { return m_buffering == Buffering::kDouble; }
+    int width() const { return m_target ? m_target->width() : 0; }
+    int height() const { return m_target ? m_target->height() : 0; }
+    // Null before the first allocate().
+    const std::shared_ptr<raster::Target>& target() const { return m_target; }
+
+    // Makes buffers of this size and format, unless they are there already; the pictures of others are lost.
+    // Contexts that draw here learn of it by follow_drawables(). Throws std::bad_alloc and changes nothing
+    // then.
+    void allocate(int width, int height, const raster::TargetFormat& format);
+
+    // Makes a colour buffer the one that target() shows. What was queued for the other has been drawn. Throws
+    // std::bad_alloc.
+    void select(ColorBuffer buffer);
+    ColorBuffer selected() const { return m_selected; }
+    // Whether the front buffer has pixels of its own. They are made when somebody first asks for them: until
+    // then the front buffer is what the front end shows.
+    bool has_front_pixels() const { return !is_double_buffered() || m_has_front; }
+    // What SwapBuffers does to the pixels: the back buffer's become the front's. The new back buffer's are
+    // undefined.
+    void swap_pixels();
+
+    // The front buffer has been drawn to and is to be seen. Called by Flush and Finish.
+    virtual void show_front(Context&) {}
+
+  protected:
+    // Fills the selected buffer with what the front end shows; called when the front buffer's pixels are
+    // made.
+    virtual void load_front() {}
+
+  private:
+    Buffering m_buffering;
+    std::shared_ptr<raster::Target> m_target;
+    ColorBuffer m_selected = ColorBuffer::kFront;
+    bool m_has_front = false;
+};
+
+}  // namespace terrazzo::gl
