@@ -30,7 +30,7 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_CURRENT_RASTER_COLOR, [](Context& c, Out& out) { normalized(out, c.raster_position.color); }},
     {GL_CURRENT_RASTER_INDEX, [](Context& c, Out& out) { out = c.raster_position.index; }},
     {GL_CURRENT_RASTER_TEXTURE_COORDS,
-     [](Context& c, Out& out) { out = c.raster_position.texture_coordinates; }},
+     [](Context& c, Out& out) { out = c.raster_position.texture_coordinates[c.texture.active_unit]; }},
     {GL_CURRENT_RASTER_POSITION_VALID, [](Context& c, Out& out) { out = c.raster_position.valid; }},
 
     // Vertex arrays

@@ -83,6 +83,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glPolygonMode", {GL_FRONT, GL_LINE}},
         {"glPolygonStipple", {in}},
         {"glPrioritizeTextures(EXT)?", {1, in, in}},
+        {"glRasterPos[234][dfis]v", {in}},
         {"glReadBuffer", {GL_FRONT}},
         {"glReadPixels", {0, 0, 2, 2, GL_RGBA, GL_FLOAT, out}},
         {"glRect[dfis]v", {in, in}},
@@ -101,6 +102,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glTexSubImage1D(EXT)?", {GL_TEXTURE_1D, 0, 0, 2, GL_RGBA, GL_FLOAT, in}},
         {"glTexSubImage2D(EXT)?", {GL_TEXTURE_2D, 0, 0, 0, 2, 2, GL_RGBA, GL_FLOAT, in}},
         {"glViewport", {0, 0, 1, 1}},
+        {"glWindowPos[23][dfis]v(ARB)?", {in}},
     };
     return calls;
 }
