@@ -67,6 +67,8 @@ pipeline::VertexInput input_of(const Context& ctx) {
     add(pipeline::kPosition, ctx.arrays.vertex, false);
     add(pipeline::kNormal, ctx.arrays.normal, true);
     add(pipeline::kColor, ctx.arrays.color, true);
+    add(pipeline::kSecondaryColor, ctx.arrays.secondary_color, true);
+    add(pipeline::kFogCoordinate, ctx.arrays.fog_coordinate, false);
     add(pipeline::kEdgeFlag, ctx.arrays.edge_flag, false);
     for (int unit = 0; unit < kMaxTextureUnits; ++unit)
         add(pipeline::kTexture0 + unit, ctx.arrays.texture[static_cast<std::size_t>(unit)], false);
@@ -199,6 +201,10 @@ ClientArray* find_client_array(ArrayState& arrays, GLenum name) {
             return &arrays.normal;
         case GL_COLOR_ARRAY:
             return &arrays.color;
+        case GL_SECONDARY_COLOR_ARRAY:
+            return &arrays.secondary_color;
+        case GL_FOG_COORDINATE_ARRAY:
+            return &arrays.fog_coordinate;
         case GL_INDEX_ARRAY:
             return &arrays.index;
         case GL_EDGE_FLAG_ARRAY:
@@ -251,6 +257,23 @@ void tex_coord_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, co
 
 void edge_flag_pointer(Context& ctx, GLsizei stride, const void* pointer) {
     set_pointer(ctx, ctx.arrays.edge_flag, 1, 1, 1, GL_UNSIGNED_BYTE, {GL_UNSIGNED_BYTE}, stride, pointer);
+}
+
+void secondary_color_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.secondary_color, size, 3, 3, type,
+                {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT,
+                 GL_DOUBLE},
+                stride, pointer);
+}
+
+void fog_coord_pointer(Context& ctx, GLenum type, GLsizei stride, const void* pointer) {
+    set_pointer(ctx, ctx.arrays.fog_coordinate, 1, 1, 1, type, {GL_FLOAT, GL_DOUBLE}, stride, pointer);
+}
+
+void client_active_texture(Context& ctx, GLenum texture) {
+    if (texture - GL_TEXTURE0 >= static_cast<GLenum>(kMaxTextureUnits))
+        return record_error(ctx, GL_INVALID_ENUM, "no such texture unit");
+    ctx.arrays.active_texture = texture - GL_TEXTURE0;
 }
 
 void enable_client_state(Context& ctx, GLenum array) {
@@ -319,6 +342,7 @@ void interleaved_arrays(Context& ctx, GLenum format, GLsizei stride, const void*
     ArrayState& arrays = ctx.arrays;
     ClientArray& texture = arrays.texture[arrays.active_texture];
     arrays.edge_flag.enabled = arrays.index.enabled = false;
+    arrays.secondary_color.enabled = arrays.fog_coordinate.enabled = false;
     texture.enabled = f.texture_size != 0;
     if (texture.enabled) texture = {true, f.texture_size, GL_FLOAT, step, bytes};
     arrays.color.enabled = f.color_size != 0;

@@ -22,11 +22,12 @@ struct ClientArray {
 struct ArrayState {
     ArrayState() {
         normal.size = 3;
-        index.size = edge_flag.size = 1;
+        secondary_color.size = 3;
+        fog_coordinate.size = index.size = edge_flag.size = 1;
         edge_flag.type = GL_UNSIGNED_BYTE;
     }
 
-    ClientArray vertex, normal, color, index, edge_flag;
+    ClientArray vertex, normal, color, secondary_color, fog_coordinate, index, edge_flag;
     std::array<ClientArray, kMaxTextureUnits> texture;
     unsigned active_texture =
         0;  // the unit glTexCoordPointer and glEnableClientState(GL_TEXTURE_COORD_ARRAY) act on
@@ -48,6 +49,8 @@ void for_each_enabled_array(const ArrayState& arrays, GLint i, Set set) {
     };
     visit(pipeline::kNormal, arrays.normal, true);
     visit(pipeline::kColor, arrays.color, true);
+    visit(pipeline::kSecondaryColor, arrays.secondary_color, true);
+    visit(pipeline::kFogCoordinate, arrays.fog_coordinate, false);
     visit(pipeline::kEdgeFlag, arrays.edge_flag, false);
     for (int unit = 0; unit < kMaxTextureUnits; ++unit)
         visit(pipeline::kTexture0 + unit, arrays.texture[static_cast<std::size_t>(unit)], false);

@@ -65,6 +65,12 @@ void get_pointerv(Context& ctx, GLenum pname, void** params) {
         case GL_COLOR_ARRAY_POINTER:
             array = &arrays.color;
             break;
+        case GL_SECONDARY_COLOR_ARRAY_POINTER:
+            array = &arrays.secondary_color;
+            break;
+        case GL_FOG_COORDINATE_ARRAY_POINTER:
+            array = &arrays.fog_coordinate;
+            break;
         case GL_INDEX_ARRAY_POINTER:
             array = &arrays.index;
             break;

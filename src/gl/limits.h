@@ -6,8 +6,7 @@ namespace terrazzo::gl {
 
 inline constexpr int kMaxLights = 8;
 inline constexpr int kMaxClipPlanes = 6;
-inline constexpr int kMaxTextureUnits =
-    8;  // size of the state arrays; without multitexture only unit 0 is reachable
+inline constexpr int kMaxTextureUnits = 8;
 inline constexpr int kMaxTextureLevels = 15;
 inline constexpr int kMaxTextureSize = 1 << (kMaxTextureLevels - 1);
 inline constexpr int kMaxViewportSize = 16384;

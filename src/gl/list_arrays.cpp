@@ -83,9 +83,15 @@ void Compile::ArrayElement(Context& ctx, GLint i) {
                 return EdgeFlag(ctx, v[0] != 0);
             case pipeline::kTexture0:
                 return TexCoord4f(ctx, v[0], v[1], v[2], v[3]);
+            case pipeline::kSecondaryColor:
+                return SecondaryColor3f(ctx, v[0], v[1], v[2]);
+            case pipeline::kFogCoordinate:
+                return FogCoordf(ctx, v[0]);
             case pipeline::kPosition:
                 return Vertex4f(ctx, v[0], v[1], v[2], v[3]);
         }
+        MultiTexCoord4f(ctx, static_cast<GLenum>(GL_TEXTURE0 + attribute - pipeline::kTexture0), v[0], v[1],
+                        v[2], v[3]);
     });
 }
 

@@ -19,9 +19,15 @@ void call_attribute(Context& ctx, int attribute, const std::array<GLfloat, 4>& v
             return gl.EdgeFlag(&ctx, v[0] != 0);
         case pipeline::kTexture0:
             return gl.TexCoord4f(&ctx, v[0], v[1], v[2], v[3]);
+        case pipeline::kSecondaryColor:
+            return gl.SecondaryColor3f(&ctx, v[0], v[1], v[2]);
+        case pipeline::kFogCoordinate:
+            return gl.FogCoordf(&ctx, v[0]);
         case pipeline::kPosition:
             return gl.Vertex4f(&ctx, v[0], v[1], v[2], v[3]);
     }
+    const auto unit = static_cast<GLenum>(attribute - pipeline::kTexture0);
+    gl.MultiTexCoord4f(&ctx, GL_TEXTURE0 + unit, v[0], v[1], v[2], v[3]);
 }
 
 std::array<GLfloat, 4> value_of(const PrimitivesRecord& record, const PrimitivesRecord::Stream& stream,

@@ -46,12 +46,24 @@ void record_call(DisplayList& list, int attribute, const Value& v) {
             r.s = v[0], r.t = v[1], r.r = v[2], r.q = v[3];
             return;
         }
+        case pipeline::kSecondaryColor: {
+            auto& r = list.append<SecondaryColor3fRecord>();
+            r.red = v[0], r.green = v[1], r.blue = v[2];
+            return;
+        }
+        case pipeline::kFogCoordinate: {
+            list.append<FogCoordfRecord>().coord = v[0];
+            return;
+        }
         case pipeline::kPosition: {
             auto& r = list.append<Vertex4fRecord>();
             r.x = v[0], r.y = v[1], r.z = v[2], r.w = v[3];
             return;
         }
     }
+    auto& r = list.append<MultiTexCoord4fRecord>();
+    r.target = static_cast<GLenum>(GL_TEXTURE0 + attribute - pipeline::kTexture0);
+    r.s = v[0], r.t = v[1], r.r = v[2], r.q = v[3];
 }
 
 // How many components of an attribute must be kept: those behind are 0, 0, 1 in all vertices, as the pipeline
@@ -312,6 +324,27 @@ void Compile::TexCoord4f(Context& ctx, GLfloat s, GLfloat t, GLfloat r, GLfloat 
         vertices.attribute(list, pipeline::kTexture0, {s, t, r, q});
     });
     if (ctx.lists.execute_too) ctx.dispatch.execute->TexCoord4f(&ctx, s, t, r, q);
+}
+
+void Compile::MultiTexCoord4f(Context& ctx, GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
+    collect(ctx, [&](ListVertices& vertices, DisplayList& list) {
+        vertices.attribute(list, pipeline::kTexture0 + static_cast<int>(target & 7), {s, t, r, q});
+    });
+    if (ctx.lists.execute_too) ctx.dispatch.execute->MultiTexCoord4f(&ctx, target, s, t, r, q);
+}
+
+void Compile::SecondaryColor3f(Context& ctx, GLfloat red, GLfloat green, GLfloat blue) {
+    collect(ctx, [&](ListVertices& vertices, DisplayList& list) {
+        vertices.attribute(list, pipeline::kSecondaryColor, {red, green, blue, 1});
+    });
+    if (ctx.lists.execute_too) ctx.dispatch.execute->SecondaryColor3f(&ctx, red, green, blue);
+}
+
+void Compile::FogCoordf(Context& ctx, GLfloat coord) {
+    collect(ctx, [&](ListVertices& vertices, DisplayList& list) {
+        vertices.attribute(list, pipeline::kFogCoordinate, {coord, 0, 0, 1});
+    });
+    if (ctx.lists.execute_too) ctx.dispatch.execute->FogCoordf(&ctx, coord);
 }
 
 void Compile::EdgeFlag(Context& ctx, GLboolean flag) {

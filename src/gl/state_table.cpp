@@ -95,6 +95,7 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
         {GL_POLYGON_OFFSET_UNITS, [](Context& c, Out& out) { out = c.rasterization.polygon.offset_units; }},
 
         // Textures
+        {GL_ACTIVE_TEXTURE, [](Context& c, Out& out) { out = GL_TEXTURE0 + c.texture.active_unit; }},
         {GL_TEXTURE_BINDING_1D, [](Context& c, Out& out) { out = texture_name(c, kTexture1D); }},
         {GL_TEXTURE_BINDING_2D, [](Context& c, Out& out) { out = texture_name(c, kTexture2D); }},
 

@@ -14,6 +14,10 @@ const ClientArray& texture_array(const Context& c) {
 constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     // Current values
     {GL_CURRENT_COLOR, [](Context& c, Out& out) { normalized(out, c.vertex.current.color()); }},
+    {GL_CURRENT_SECONDARY_COLOR,
+     [](Context& c, Out& out) { normalized(out, c.vertex.current.values[pipeline::kSecondaryColor]); }},
+    {GL_CURRENT_FOG_COORDINATE,
+     [](Context& c, Out& out) { out = c.vertex.current.values[pipeline::kFogCoordinate][0]; }},
     {GL_CURRENT_INDEX, [](Context& c, Out& out) { out = c.vertex.current.index; }},
     {GL_CURRENT_NORMAL,
      [](Context& c, Out& out) {
@@ -47,6 +51,12 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_TEXTURE_COORD_ARRAY_SIZE, [](Context& c, Out& out) { out = texture_array(c).size; }},
     {GL_TEXTURE_COORD_ARRAY_TYPE, [](Context& c, Out& out) { out = texture_array(c).type; }},
     {GL_TEXTURE_COORD_ARRAY_STRIDE, [](Context& c, Out& out) { out = texture_array(c).stride; }},
+    {GL_SECONDARY_COLOR_ARRAY_SIZE, [](Context& c, Out& out) { out = c.arrays.secondary_color.size; }},
+    {GL_SECONDARY_COLOR_ARRAY_TYPE, [](Context& c, Out& out) { out = c.arrays.secondary_color.type; }},
+    {GL_SECONDARY_COLOR_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.secondary_color.stride; }},
+    {GL_FOG_COORDINATE_ARRAY_TYPE, [](Context& c, Out& out) { out = c.arrays.fog_coordinate.type; }},
+    {GL_FOG_COORDINATE_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.fog_coordinate.stride; }},
+    {GL_CLIENT_ACTIVE_TEXTURE, [](Context& c, Out& out) { out = GL_TEXTURE0 + c.arrays.active_texture; }},
     {GL_EDGE_FLAG_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.edge_flag.stride; }},
 
     // Pixels

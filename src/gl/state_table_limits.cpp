@@ -40,6 +40,7 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_MAX_NAME_STACK_DEPTH, [](Context&, Out& out) { out = kMaxNameStackDepth; }},
     {GL_MAX_LIST_NESTING, [](Context&, Out& out) { out = kMaxListNesting; }},
     {GL_MAX_PIXEL_MAP_TABLE, [](Context&, Out& out) { out = kMaxPixelMapTable; }},
+    {GL_MAX_TEXTURE_UNITS, [](Context&, Out& out) { out = kMaxTextureUnits; }},
     {GL_MAX_TEXTURE_SIZE, [](Context&, Out& out) { out = kMaxTextureSize; }},
     {GL_MAX_VIEWPORT_DIMS, [](Context&, Out& out) { out = std::array{kMaxViewportSize, kMaxViewportSize}; }},
     {GL_SUBPIXEL_BITS, [](Context&, Out& out) { out = kSubpixelBits; }},

@@ -52,7 +52,9 @@ bool uses_mipmaps(GLenum min_filter) {
 
 // Whether `level` can follow `base`, `steps` levels above it (GL 1.5 §3.8.10).
 bool continues_mipmap(const TextureLevel& base, const TextureLevel& level, int steps) {
-    if (!level.image || level.format != base.format || level.border != base.border) return false;
+    if (!level.image || level.border != base.border) return false;
+    // The formats as they were named, and what was made of them.
+    if (level.internal_format != base.internal_format || level.format != base.format) return false;
     return level.image->width == std::max(1, base.image->width >> steps) &&
            level.image->height == std::max(1, base.image->height >> steps);
 }
@@ -94,6 +96,12 @@ TextureCompleteness completeness(const TextureObject& object) {
         if (!continues_mipmap(base_level, object.levels[static_cast<size_t>(level)], level - base)) return {};
     }
     return {true, base, last};
+}
+
+void active_texture(Context& ctx, GLenum texture) {
+    if (texture - GL_TEXTURE0 >= static_cast<GLenum>(kMaxTextureUnits))
+        return record_error(ctx, GL_INVALID_ENUM, "no such texture unit");
+    ctx.texture.active_unit = texture - GL_TEXTURE0;
 }
 
 void gen_textures(Context& ctx, GLsizei n, GLuint* textures) {

@@ -49,6 +49,17 @@ inline void normal3f(Context& ctx, GLfloat x, GLfloat y, GLfloat z) {
 inline void tex_coord4f(Context& ctx, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
     set_attribute(ctx, pipeline::kTexture0, s, t, r, q);
 }
+// An invalid unit's effect is undefined; the reference takes the number's last bits too.
+inline void multi_tex_coord4f(Context& ctx, GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
+    static_assert(kMaxTextureUnits == 8 && GL_TEXTURE0 % 8 == 0);
+    set_attribute(ctx, pipeline::kTexture0 + static_cast<int>(target & 7), s, t, r, q);
+}
+inline void secondary_color3f(Context& ctx, GLfloat r, GLfloat g, GLfloat b) {
+    set_attribute(ctx, pipeline::kSecondaryColor, r, g, b, 1);
+}
+inline void fog_coordf(Context& ctx, GLfloat coordinate) {
+    set_attribute(ctx, pipeline::kFogCoordinate, coordinate, 0, 0, 1);
+}
 inline void edge_flag(Context& ctx, GLboolean flag) {
     set_attribute(ctx, pipeline::kEdgeFlag, flag ? 1.0f : 0.0f, 0, 0, 1);
 }

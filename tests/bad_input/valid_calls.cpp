@@ -11,6 +11,7 @@ const std::vector<ValidCall>& valid_calls() {
     constexpr Buffer in;
     constexpr Scratch out;
     static const std::vector<ValidCall> calls = {
+        {"gl(Client)?ActiveTexture(ARB)?", {GL_TEXTURE3}},
         {"glAlphaFunc", {GL_LESS, 0.5}},
         {"glAreTexturesResident", {1, Names{}, out}},
         {"glBegin", {GL_TRIANGLES}},
@@ -28,6 +29,15 @@ const std::vector<ValidCall>& valid_calls() {
         {"gl(Color|Vertex|TexCoord)PointerEXT", {4, GL_FLOAT, 0, 1, in}},
         {"gl(Normal|Index)Pointer", {GL_FLOAT, 0, in}},
         {"gl(Normal|Index)PointerEXT", {GL_FLOAT, 0, 1, in}},
+        {"glSecondaryColorPointer(EXT)?", {3, GL_FLOAT, 0, in}},
+        {"glFogCoordPointer(EXT)?", {GL_FLOAT, 0, in}},
+        {"glSecondaryColor3(b|d|f|i|s|ub|ui|us)v(EXT)?", {in}},
+        {"glFogCoord[df]v(EXT)?", {in}},
+        {"glMultiTexCoord1[dfis](ARB)?", {GL_TEXTURE1, 1.0}},
+        {"glMultiTexCoord2[dfis](ARB)?", {GL_TEXTURE1, 1.0, 1.0}},
+        {"glMultiTexCoord3[dfis](ARB)?", {GL_TEXTURE1, 1.0, 1.0, 1.0}},
+        {"glMultiTexCoord4[dfis](ARB)?", {GL_TEXTURE1, 1.0, 1.0, 1.0, 1.0}},
+        {"glMultiTexCoord[1234][dfis]v(ARB)?", {GL_TEXTURE1, in}},
         {"glEdgeFlagPointer", {0, in}},
         {"glEdgeFlagPointerEXT", {0, 1, in}},
         {"glCopyTexImage1D(EXT)?", {GL_TEXTURE_1D, 0, GL_RGBA, 0, 0, 4, 0}},

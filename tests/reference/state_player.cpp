@@ -191,6 +191,17 @@ void play_shininess(Player& p) {
     p.gl().Materialf(face, GL_SHININESS, p.number());
 }
 
+GLenum unit(Player& p) {
+    const GLenum number = p.pick(8);
+    p.note(std::to_string(number));
+    return GL_TEXTURE0 + number;
+}
+
+// Units beyond those of fixed function exist there for shaders.
+void play_active_texture(Player& p) {
+    p.gl().ActiveTexture(p.pick(8) ? unit(p) : p.enumerant({TERRAZZO_E(GL_TEXTURE)}));
+}
+
 void play_texgen(Player& p) {
     const GLenum coordinate = p.enumerant(kCoordinates);
     if (p.pick(3) == 0) {
@@ -268,7 +279,23 @@ void play_current_value(Player& p) {
     const auto b = static_cast<GLbyte>(bits);
     const auto s = static_cast<GLshort>(bits);
     const auto i = static_cast<GLint>(bits);
-    switch (p.pick(14)) {
+    switch (p.pick(22)) {
+        case 14:
+            return p.gl().MultiTexCoord4f(GL_TEXTURE0 + p.pick(8), v[0], v[1], v[2], v[3]);
+        case 15:
+            return p.gl().MultiTexCoord1d(GL_TEXTURE0 + p.pick(8), v[0]);
+        case 16:
+            return p.gl().MultiTexCoord3s(GL_TEXTURE0 + p.pick(8), s, 7, -1);
+        case 17:
+            return p.gl().SecondaryColor3f(v[0], v[1], v[2]);
+        case 18:
+            return p.gl().SecondaryColor3b(b, 1, -128);
+        case 19:
+            return p.gl().SecondaryColor3us(static_cast<GLushort>(s), 1, 65535);
+        case 20:
+            return p.gl().FogCoordf(v[0]);
+        case 21:
+            return p.gl().FogCoordd(v[0]);
         case 0:
             return p.gl().Color4f(v[0], v[1], v[2], v[3]);
         case 1:
@@ -321,9 +348,10 @@ void play_primitive(Player& p) {
     p.gl().End();
 }
 
-const Enumerants kArrays = {TERRAZZO_E(GL_VERTEX_ARRAY),        TERRAZZO_E(GL_NORMAL_ARRAY),
-                            TERRAZZO_E(GL_COLOR_ARRAY),         TERRAZZO_E(GL_INDEX_ARRAY),
-                            TERRAZZO_E(GL_TEXTURE_COORD_ARRAY), TERRAZZO_E(GL_EDGE_FLAG_ARRAY)};
+const Enumerants kArrays = {TERRAZZO_E(GL_VERTEX_ARRAY),          TERRAZZO_E(GL_NORMAL_ARRAY),
+                            TERRAZZO_E(GL_COLOR_ARRAY),           TERRAZZO_E(GL_INDEX_ARRAY),
+                            TERRAZZO_E(GL_TEXTURE_COORD_ARRAY),   TERRAZZO_E(GL_EDGE_FLAG_ARRAY),
+                            TERRAZZO_E(GL_SECONDARY_COLOR_ARRAY), TERRAZZO_E(GL_FOG_COORDINATE_ARRAY)};
 
 // Pointers are never read: arrays are set and enabled, but nothing is drawn from them. The reference stores
 // some negative strides although it records the error, so there are none here.
@@ -335,7 +363,12 @@ void play_array(Player& p) {
     const GLenum type =
         p.enumerant({TERRAZZO_E(GL_FLOAT), TERRAZZO_E(GL_SHORT), TERRAZZO_E(GL_BYTE),
                      TERRAZZO_E(GL_UNSIGNED_BYTE), TERRAZZO_E(GL_UNSIGNED_SHORT), TERRAZZO_E(GL_DOUBLE)});
-    switch (p.pick(6)) {
+    switch (p.pick(8)) {
+        case 5:
+            return p.gl().FogCoordPointer(type, stride, pointer);
+        case 6:
+            // The reference takes four components as well.
+            return p.gl().SecondaryColorPointer(size == 4 ? 3 : size, type, stride, pointer);
         case 0:
             return p.gl().VertexPointer(size, type, stride, pointer);
         case 1:
@@ -353,6 +386,9 @@ void play_array(Player& p) {
 void play_interleaved_arrays(Player& p) {
     const GLsizei stride = static_cast<GLsizei>(p.pick(100)) - 4;
     p.note(std::to_string(stride));
+    // The reference leaves these arrays as they are; GL 1.5 §2.8 disables them.
+    p.gl().DisableClientState(GL_SECONDARY_COLOR_ARRAY);
+    p.gl().DisableClientState(GL_FOG_COORDINATE_ARRAY);
     const GLenum format = p.pick(8) ? GL_V2F + p.pick(14) : p.enumerant({TERRAZZO_E(GL_T2F_V3F)});
     p.gl().InterleavedArrays(format, stride, nullptr);
 }
@@ -511,6 +547,11 @@ const Command kCommands[] = {
     {"glFrontFace",
      [](Player& p) {
          p.gl().FrontFace(p.enumerant({TERRAZZO_E(GL_CW), TERRAZZO_E(GL_CCW)}));
+     }},
+    {"glActiveTexture", play_active_texture},
+    {"glClientActiveTexture",
+     [](Player& p) {
+         p.gl().ClientActiveTexture(p.pick(8) ? unit(p) : p.enumerant({TERRAZZO_E(GL_TEXTURE)}));
      }},
     {"glTexGen", play_texgen},
     {"glTexEnv", play_texture_environment},

@@ -136,6 +136,31 @@ TEST_F(TextureTest, MipmapsNeedEveryLevelDownToOneTexel) {
     EXPECT_EQ(completeness(object).last, 3);
 }
 
+TEST_F(TextureTest, LevelsNeedTheSameInternalFormatByName) {
+    TextureObject& object = make_texture();
+    specify(0, 2, 2, GL_RGBA);
+    specify(1, 1, 1, GL_RGBA8);
+    EXPECT_FALSE(completeness(object).complete);
+    specify(1, 1, 1, GL_RGBA);
+    EXPECT_TRUE(completeness(object).complete);
+}
+
+TEST_F(TextureTest, UnitsHaveBindingsOfTheirOwn) {
+    const GLuint first = make_texture().name;
+    active_texture(ctx(), GL_TEXTURE7);
+    const GLuint second = make_texture().name;
+    EXPECT_EQ(bound_texture(ctx(), GL_TEXTURE_2D)->name, second);
+    active_texture(ctx(), GL_TEXTURE7 + 1);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_ENUM});
+    EXPECT_EQ(bound_texture(ctx(), GL_TEXTURE_2D)->name, second);
+    active_texture(ctx(), GL_TEXTURE0);
+    EXPECT_EQ(bound_texture(ctx(), GL_TEXTURE_2D)->name, first);
+    // Deleting unbinds from all units.
+    delete_textures(ctx(), 1, &second);
+    active_texture(ctx(), GL_TEXTURE7);
+    EXPECT_EQ(bound_texture(ctx(), GL_TEXTURE_2D)->name, 0u);
+}
+
 TEST_F(TextureTest, MaxLevelEndsTheMipmap) {
     TextureObject& object = make_texture();
     specify(0, 8, 8);
