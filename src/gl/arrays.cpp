@@ -1,7 +1,10 @@
-// Commands of vertex arrays (GL 1.5 §2.8).
+// Commands of vertex arrays (GL 1.5 §2.8, §2.9).
 #include "gl/arrays.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <new>
 #include <vector>
 
 #include "gl/context.h"
@@ -27,6 +30,10 @@ GLsizei size_of_type(GLenum type) {
     return 4;
 }
 
+std::size_t packed_size(const ClientArray& array) {
+    return static_cast<std::size_t>(array.size * size_of_type(array.type));
+}
+
 bool is_one_of(GLenum type, std::initializer_list<GLenum> allowed) {
     return std::find(allowed.begin(), allowed.end(), type) != allowed.end();
 }
@@ -38,7 +45,7 @@ void set_pointer(Context& ctx, ClientArray& array, GLint size, GLint low, GLint 
     if (!is_one_of(type, types)) return record_error(ctx, GL_INVALID_ENUM, "no type for this array");
     if (size < low || size > high)
         return record_error(ctx, GL_INVALID_VALUE, "no array has elements of this size");
-    array = {array.enabled, size, type, stride, pointer};
+    array = {array.enabled, size, type, stride, pointer, ctx.arrays.array_buffer};
 }
 
 void set_enabled(Context& ctx, GLenum name, bool enabled) {
@@ -47,39 +54,58 @@ void set_enabled(Context& ctx, GLenum name, bool enabled) {
     array->enabled = enabled;
 }
 
-pipeline::AttributeStream stream_of(const ClientArray& array, bool normalized) {
-    const GLsizei packed = array.size * size_of_type(array.type);
-    return {static_cast<const std::byte*>(array.pointer),
-            static_cast<std::uint32_t>(array.stride ? array.stride : packed), translate_type(array.type),
-            static_cast<std::uint8_t>(array.size), normalized};
-}
-
-// The enabled arrays that the pipeline reads, as streams. A null pointer is no array: its elements stay what
-// they were.
-pipeline::VertexInput input_of(const Context& ctx) {
+// The enabled arrays as streams; other attributes stay what they were.
+pipeline::VertexInput input_of(const Context& ctx, const EnabledArrays& arrays) {
     pipeline::VertexInput input;
     input.constants = ctx.vertex.current.values;
-    const auto add = [&](int attribute, const ClientArray& array, bool normalized) {
-        if (!array.enabled || array.pointer == nullptr) return;
-        input.streamed |= pipeline::bit(attribute);
-        input.streams[static_cast<std::size_t>(attribute)] = stream_of(array, normalized);
-    };
-    add(pipeline::kPosition, ctx.arrays.vertex, false);
-    add(pipeline::kNormal, ctx.arrays.normal, true);
-    add(pipeline::kColor, ctx.arrays.color, true);
-    add(pipeline::kSecondaryColor, ctx.arrays.secondary_color, true);
-    add(pipeline::kFogCoordinate, ctx.arrays.fog_coordinate, false);
-    add(pipeline::kEdgeFlag, ctx.arrays.edge_flag, false);
-    for (int unit = 0; unit < kMaxTextureUnits; ++unit)
-        add(pipeline::kTexture0 + unit, ctx.arrays.texture[static_cast<std::size_t>(unit)], false);
+    for (const ReadableArray& a : arrays) {
+        input.streamed |= pipeline::bit(a.attribute);
+        input.streams[static_cast<std::size_t>(a.attribute)] = {
+            a.bytes.data, static_cast<std::uint32_t>(a.stride), translate_type(a.array->type),
+            static_cast<std::uint8_t>(a.array->size), a.normalized};
+    }
     return input;
+}
+
+std::uint32_t element_of(const pipeline::VertexRange& range, std::uint32_t i) {
+    return range.indices ? range.indices[i] : range.first + i;
+}
+
+// Whether all elements of the range are in the arrays' buffers.
+bool is_inside(const pipeline::VertexRange& range, const EnabledArrays& arrays) {
+    if (arrays.shortest() > UINT32_MAX || range.count == 0) return true;
+    if (!range.indices) return std::uint64_t{range.first} + range.count <= arrays.shortest();
+    return *std::max_element(range.indices, range.indices + range.count) < arrays.shortest();
+}
+
+// A draw that reaches beyond the end of a buffer: the vertices are copied one by one, zeros where there is
+// nothing to copy.
+void draw_copied(Context& ctx, GLenum mode, const pipeline::VertexRange& range, const EnabledArrays& arrays) {
+    constexpr std::uint32_t kMostVertices = 1u << 24;  // so that a wrong count does not take all memory
+    if (range.count > kMostVertices) throw std::bad_alloc();
+    pipeline::VertexInput input = input_of(ctx, arrays);
+    std::vector<std::vector<std::byte>> copies;
+    for (const ReadableArray& a : arrays) {
+        pipeline::AttributeStream& stream = input.streams[static_cast<std::size_t>(a.attribute)];
+        const std::size_t size = packed_size(*a.array);
+        std::vector<std::byte>& copy = copies.emplace_back(range.count * size);
+        for (std::uint32_t i = 0; i < range.count; ++i) {
+            const std::size_t element = element_of(range, i);
+            if (element < a.count) std::memcpy(&copy[i * size], stream.data + element * a.stride, size);
+        }
+        stream.data = copy.data();
+        stream.stride = static_cast<std::uint32_t>(size);
+    }
+    draw_primitives(ctx, mode, input, {0, range.count, nullptr, range.in_order}, ctx.arrays.vertex.size < 4);
 }
 
 void draw_range(Context& ctx, GLenum mode, const pipeline::VertexRange& range) {
     flush_vertices(ctx);
-    const pipeline::VertexInput input = input_of(ctx);
-    if (!(input.streamed & pipeline::bit(pipeline::kPosition))) return;
-    draw_primitives(ctx, mode, input, range, ctx.arrays.vertex.size < 4);
+    const EnabledArrays arrays(ctx);
+    if (arrays.any_mapped()) return record_error(ctx, GL_INVALID_OPERATION, "an array's buffer is mapped");
+    if (!arrays.has_position()) return;
+    if (!is_inside(range, arrays)) return draw_copied(ctx, mode, range, arrays);
+    draw_primitives(ctx, mode, input_of(ctx, arrays), range, ctx.arrays.vertex.size < 4);
 }
 
 bool check_mode_and_count(Context& ctx, GLenum mode, GLsizei count) {
@@ -95,27 +121,25 @@ bool check_index_type(Context& ctx, GLenum type) {
 }
 
 template <typename Index>
-std::vector<std::uint32_t> widen(const GLvoid* indices, GLsizei count) {
-    const auto* const from = static_cast<const Index*>(indices);
-    return {from, from + count};
+std::vector<std::uint32_t> widen(const std::byte* indices, GLsizei count) {
+    std::vector<Index> copy(static_cast<std::size_t>(count));
+    std::memcpy(copy.data(), indices, copy.size() * sizeof(Index));
+    return {copy.begin(), copy.end()};
 }
 
-void draw_indexed(Context& ctx, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices) {
-    if (count == 0 || indices == nullptr) return;
-    const bool aligned = reinterpret_cast<std::uintptr_t>(indices) % alignof(std::uint32_t) == 0;
+void draw_indexed(Context& ctx, GLenum mode, GLsizei given_count, GLenum type, const GLvoid* indices) {
+    const auto [bytes, count] = find_indices(ctx, given_count, type, indices);
+    if (bytes.mapped) return record_error(ctx, GL_INVALID_OPERATION, "the element buffer is mapped");
+    if (count == 0) return;
+    const bool aligned = reinterpret_cast<std::uintptr_t>(bytes.data) % alignof(std::uint32_t) == 0;
     if (type == GL_UNSIGNED_INT && aligned)
-        return draw_range(ctx, mode,
-                          {0, static_cast<std::uint32_t>(count), static_cast<const std::uint32_t*>(indices)});
-    std::vector<std::uint32_t> wide;
-    if (type == GL_UNSIGNED_BYTE) {
-        wide = widen<std::uint8_t>(indices, count);
-    } else {
-        const std::size_t bytes = static_cast<std::size_t>(count * size_of_type(type));
-        std::vector<std::byte> copy(static_cast<const std::byte*>(indices),
-                                    static_cast<const std::byte*>(indices) + bytes);
-        wide = type == GL_UNSIGNED_SHORT ? widen<std::uint16_t>(copy.data(), count)
-                                         : widen<std::uint32_t>(copy.data(), count);
-    }
+        return draw_range(
+            ctx, mode,
+            {0, static_cast<std::uint32_t>(count), reinterpret_cast<const std::uint32_t*>(bytes.data)});
+    const std::vector<std::uint32_t> wide = type == GL_UNSIGNED_BYTE ? widen<std::uint8_t>(bytes.data, count)
+                                            : type == GL_UNSIGNED_SHORT
+                                                ? widen<std::uint16_t>(bytes.data, count)
+                                                : widen<std::uint32_t>(bytes.data, count);
     draw_range(ctx, mode, {0, static_cast<std::uint32_t>(count), wide.data()});
 }
 
@@ -215,16 +239,45 @@ ClientArray* find_client_array(ArrayState& arrays, GLenum name) {
     return nullptr;
 }
 
-std::array<GLfloat, 4> element_of(const ClientArray& array, GLint i, bool normalized) {
-    const GLsizei packed = array.size * size_of_type(array.type);
-    const std::byte* const from = static_cast<const std::byte*>(array.pointer) +
-                                  static_cast<std::ptrdiff_t>(i) * (array.stride ? array.stride : packed);
+std::array<GLfloat, 4> ReadableArray::element(GLint i) const {
     std::array<GLfloat, 4> out{0, 0, 0, 1};
-    for (int c = 0; c < array.size; ++c) {
-        const double value = component(array.type, from, c);
+    const auto index = static_cast<std::size_t>(i);
+    for (int c = 0; c < array->size; ++c) {
+        const double value = index < count ? component(array->type, bytes.data + index * stride, c) : 0;
         out[static_cast<std::size_t>(c)] =
-            static_cast<GLfloat>(normalized ? normalize_component(array.type, value) : value);
+            static_cast<GLfloat>(normalized ? normalize_component(array->type, value) : value);
     }
+    return out;
+}
+
+ReadableArray EnabledArrays::readable(const Context& ctx, int attribute, const ClientArray& array,
+                                      bool normalized) {
+    ReadableArray out{attribute, normalized, &array, find_bytes(ctx, array.buffer.get(), array.pointer),
+                      0,         0};
+    const std::size_t packed = packed_size(array);
+    out.stride = array.stride ? static_cast<std::size_t>(array.stride) : packed;
+    out.count = out.bytes.size;
+    if (array.buffer) out.count = out.bytes.size < packed ? 0 : (out.bytes.size - packed) / out.stride + 1;
+    m_any_mapped = m_any_mapped || out.bytes.mapped;
+    return out;
+}
+
+EnabledArrays::EnabledArrays(const Context& ctx) {
+    for_each_array(ctx.arrays, [&](int attribute, const ClientArray& array, bool normalized) {
+        if (!array.enabled || !array.exists()) return;
+        ReadableArray& added = m_arrays[static_cast<std::size_t>(m_count++)];
+        added = readable(ctx, attribute, array, normalized);
+        m_shortest = std::min(m_shortest, added.count);
+    });
+    const ClientArray& index = ctx.arrays.index;
+    if (index.enabled && index.exists()) m_index = readable(ctx, 0, index, false);
+}
+
+ReadableIndices find_indices(const Context& ctx, GLsizei count, GLenum type, const void* indices) {
+    ReadableIndices out{find_bytes(ctx, ctx.arrays.element_buffer.get(), indices), count};
+    if (!out.bytes.data) out.count = 0;
+    const std::size_t whole = out.bytes.size / static_cast<std::size_t>(size_of_type(type));
+    if (static_cast<std::size_t>(out.count) > whole) out.count = static_cast<GLsizei>(whole);
     return out;
 }
 
@@ -285,15 +338,17 @@ void disable_client_state(Context& ctx, GLenum array) {
 
 void array_element(Context& ctx, GLint i) {
     if (i < 0) return record_error(ctx, GL_INVALID_VALUE, "the element is negative");
-    for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
-        if (attribute != pipeline::kPosition) {
-            set_attribute(ctx, attribute, v[0], v[1], v[2], v[3]);
+    const EnabledArrays arrays(ctx);
+    if (arrays.any_mapped()) return record_error(ctx, GL_INVALID_OPERATION, "an array's buffer is mapped");
+    for (const ReadableArray& array : arrays) {
+        const std::array<GLfloat, 4> v = array.element(i);
+        if (array.attribute != pipeline::kPosition) {
+            set_attribute(ctx, array.attribute, v[0], v[1], v[2], v[3]);
         } else if (ctx.vertex.open) {
             vertex4f(ctx, v[0], v[1], v[2], v[3]);
         }
-    });
-    const ClientArray& index = ctx.arrays.index;
-    if (index.enabled && index.pointer) ctx.vertex.current.index = element_of(index, i, false)[0];
+    }
+    if (arrays.index()) ctx.vertex.current.index = arrays.index()->element(i)[0];
 }
 
 void draw_arrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
@@ -338,18 +393,21 @@ void interleaved_arrays(Context& ctx, GLenum format, GLsizei stride, const void*
     if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
     const InterleavedFormat& f = kInterleaved[format - GL_V2F];
     const GLsizei step = stride ? stride : f.stride;
-    const auto* const bytes = static_cast<const std::byte*>(pointer);
     ArrayState& arrays = ctx.arrays;
+    const auto at = [&](GLint size, GLenum type, GLsizei offset) {
+        const auto bytes = reinterpret_cast<std::uintptr_t>(pointer) + static_cast<std::uintptr_t>(offset);
+        return ClientArray{true, size, type, step, reinterpret_cast<const void*>(bytes), arrays.array_buffer};
+    };
     ClientArray& texture = arrays.texture[arrays.active_texture];
     arrays.edge_flag.enabled = arrays.index.enabled = false;
     arrays.secondary_color.enabled = arrays.fog_coordinate.enabled = false;
     texture.enabled = f.texture_size != 0;
-    if (texture.enabled) texture = {true, f.texture_size, GL_FLOAT, step, bytes};
+    if (texture.enabled) texture = at(f.texture_size, GL_FLOAT, 0);
     arrays.color.enabled = f.color_size != 0;
-    if (arrays.color.enabled) arrays.color = {true, f.color_size, f.color_type, step, bytes + f.color_offset};
+    if (arrays.color.enabled) arrays.color = at(f.color_size, f.color_type, f.color_offset);
     arrays.normal.enabled = f.normal;
-    if (f.normal) arrays.normal = {true, 3, GL_FLOAT, step, bytes + f.normal_offset};
-    arrays.vertex = {true, f.vertex_size, GL_FLOAT, step, bytes + f.vertex_offset};
+    if (f.normal) arrays.normal = at(3, GL_FLOAT, f.normal_offset);
+    arrays.vertex = at(f.vertex_size, GL_FLOAT, f.vertex_offset);
 }
 
 }  // namespace terrazzo::gl

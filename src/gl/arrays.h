@@ -1,11 +1,14 @@
-// Vertex arrays (GL 1.5 §2.8): the pointers a client has set and which of them are enabled; saved by
+// Vertex arrays (GL 1.5 §2.8, §2.9.1): the pointers a client has set and which of them are enabled; saved by
 // glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT).
 #pragma once
 
 #include <GL/gl.h>
 
 #include <array>
+#include <memory>
+#include <span>
 
+#include "gl/buffers.h"
 #include "gl/limits.h"
 #include "pipeline/vertex_input.h"
 
@@ -15,8 +18,12 @@ struct ClientArray {
     bool enabled = false;
     GLint size = 4;
     GLenum type = GL_FLOAT;
-    GLsizei stride = 0;  // as the client gave it; 0 stands for tightly packed
-    const GLvoid* pointer = nullptr;
+    GLsizei stride = 0;               // as the client gave it; 0 stands for tightly packed
+    const GLvoid* pointer = nullptr;  // an offset where there is a buffer
+    std::shared_ptr<BufferObject> buffer;
+
+    // A null pointer is no array.
+    bool exists() const { return pointer != nullptr || buffer; }
 };
 
 struct ArrayState {
@@ -31,22 +38,14 @@ struct ArrayState {
     std::array<ClientArray, kMaxTextureUnits> texture;
     unsigned active_texture =
         0;  // the unit glTexCoordPointer and glEnableClientState(GL_TEXTURE_COORD_ARRAY) act on
+    std::shared_ptr<BufferObject> array_buffer;  // what the next pointer is an offset into
+    std::shared_ptr<BufferObject> element_buffer;
 };
 
-// The array that glEnableClientState calls `name`, null when there is none.
-ClientArray* find_client_array(ArrayState& arrays, GLenum name);
-
-// Element `i` of an array as floats, missing components as 0, 0, 0, 1; `normalized` integers stand for [0, 1]
-// or [-1, 1].
-std::array<GLfloat, 4> element_of(const ClientArray& array, GLint i, bool normalized);
-
-// Calls set(pipeline::Attribute, values) for element `i` of each enabled array, the position last. Index
-// arrays, which RGBA mode ignores, are left out.
-template <typename Set>
-void for_each_enabled_array(const ArrayState& arrays, GLint i, Set set) {
-    const auto visit = [&](int attribute, const ClientArray& array, bool normalized) {
-        if (array.enabled && array.pointer != nullptr) set(attribute, element_of(array, i, normalized));
-    };
+// Calls visit(attribute, array, normalized) for each array that the pipeline reads, the position last; index
+// arrays, which RGBA mode ignores, are left out. `normalized` integers stand for [0, 1] or [-1, 1].
+template <typename Arrays, typename Visit>
+void for_each_array(Arrays& arrays, Visit visit) {
     visit(pipeline::kNormal, arrays.normal, true);
     visit(pipeline::kColor, arrays.color, true);
     visit(pipeline::kSecondaryColor, arrays.secondary_color, true);
@@ -56,5 +55,61 @@ void for_each_enabled_array(const ArrayState& arrays, GLint i, Set set) {
         visit(pipeline::kTexture0 + unit, arrays.texture[static_cast<std::size_t>(unit)], false);
     visit(pipeline::kPosition, arrays.vertex, false);
 }
+
+template <typename Visit>
+void for_each_buffer_binding(ArrayState& arrays, Visit visit) {
+    for_each_array(arrays, [&](int, ClientArray& array, bool) { visit(array.buffer); });
+    visit(arrays.index.buffer);
+    visit(arrays.array_buffer);
+    visit(arrays.element_buffer);
+}
+
+// The array that glEnableClientState calls `name`, null when there is none.
+ClientArray* find_client_array(ArrayState& arrays, GLenum name);
+
+// An array's elements where they stand in memory.
+struct ReadableArray {
+    int attribute = 0;
+    bool normalized = false;
+    const ClientArray* array = nullptr;
+    ReadableBytes bytes;
+    std::size_t stride = 0;
+    std::size_t count = 0;  // whole elements within the buffer; no bound for client arrays
+
+    // Element `i` as floats, missing components as 0, 0, 0, 1; zeros past the end of a buffer.
+    std::array<GLfloat, 4> element(GLint i) const;
+};
+
+// The enabled arrays that exist, the position last; their buffers' stores stay while this lives.
+class EnabledArrays {
+  public:
+    explicit EnabledArrays(const Context& ctx);
+
+    auto begin() const { return m_arrays.begin(); }
+    auto end() const { return m_arrays.begin() + m_count; }
+    bool has_position() const { return m_count > 0 && (end() - 1)->attribute == pipeline::kPosition; }
+    bool any_mapped() const { return m_any_mapped; }
+    // The least number of elements that an array has.
+    std::size_t shortest() const { return m_shortest; }
+
+    // The current index's array; null where there is none.
+    const ReadableArray* index() const { return m_index.array ? &m_index : nullptr; }
+
+  private:
+    ReadableArray readable(const Context& ctx, int attribute, const ClientArray& array, bool normalized);
+
+    std::array<ReadableArray, 6 + kMaxTextureUnits> m_arrays;
+    std::ptrdiff_t m_count = 0;
+    std::size_t m_shortest = static_cast<std::size_t>(-1);
+    bool m_any_mapped = false;
+    ReadableArray m_index;
+};
+
+// The indices of a draw: `count` of them or as many as the bound element buffer holds.
+struct ReadableIndices {
+    ReadableBytes bytes;
+    GLsizei count = 0;
+};
+ReadableIndices find_indices(const Context& ctx, GLsizei count, GLenum type, const void* indices);
 
 }  // namespace terrazzo::gl

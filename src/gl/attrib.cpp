@@ -269,7 +269,13 @@ void pop_client_attrib(Context& ctx) {
     const SavedClientAttributes& saved = *ctx.attrib.client.back();
     if (saved.pack) ctx.pixels.pack = *saved.pack;
     if (saved.unpack) ctx.pixels.unpack = *saved.unpack;
-    if (saved.arrays) ctx.arrays = *saved.arrays;
+    if (saved.arrays) {
+        ctx.arrays = *saved.arrays;
+        // Buffers that were deleted meanwhile stay deleted.
+        for_each_buffer_binding(ctx.arrays, [&](std::shared_ptr<BufferObject>& buffer) {
+            if (buffer && !is_live(ctx, *buffer)) buffer.reset();
+        });
+    }
     ctx.attrib.client.pop_back();
 }
 

@@ -1,5 +1,6 @@
 // Vertex arrays in display lists (GL 1.5 §5.4): the arrays are read when the list is compiled, and what they
 // hold is recorded as a batch of primitives of its own.
+#include <cstring>
 #include <utility>
 
 #include "gl/context.h"
@@ -9,10 +10,19 @@
 namespace terrazzo::gl {
 namespace {
 
-GLuint index_at(const void* indices, GLenum type, GLsizei i) {
-    if (type == GL_UNSIGNED_BYTE) return static_cast<const GLubyte*>(indices)[i];
-    if (type == GL_UNSIGNED_SHORT) return static_cast<const GLushort*>(indices)[i];
-    return static_cast<const GLuint*>(indices)[i];
+constexpr const char* kMapped = "a buffer of the arrays is mapped";
+
+template <typename Index>
+GLuint index_at(const std::byte* indices, GLsizei i) {
+    Index index;
+    std::memcpy(&index, indices + static_cast<std::size_t>(i) * sizeof index, sizeof index);
+    return index;
+}
+
+GLuint index_at(const std::byte* indices, GLenum type, GLsizei i) {
+    if (type == GL_UNSIGNED_BYTE) return index_at<GLubyte>(indices, i);
+    if (type == GL_UNSIGNED_SHORT) return index_at<GLushort>(indices, i);
+    return index_at<GLuint>(indices, i);
 }
 
 bool is_index_type(GLenum type) {
@@ -27,25 +37,23 @@ std::pair<GLenum, const char*> error_of_draw(const Context& ctx, GLenum mode, GL
     return {GL_NO_ERROR, ""};
 }
 
-bool has_vertices(const Context& ctx) {
-    return ctx.arrays.vertex.enabled && ctx.arrays.vertex.pointer != nullptr;
-}
-
 // Records a run whose vertices are the array elements that `element` names.
 template <typename Element>
 void record_arrays(Context& ctx, GLenum mode, GLsizei count, Element element) {
-    if (count == 0 || !has_vertices(ctx)) return;
+    const EnabledArrays arrays(ctx);
+    if (arrays.any_mapped()) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
+    if (count == 0 || !arrays.has_position()) return;
     record(ctx, [&](DisplayList& list) {
         ListVertices& vertices = ctx.lists.vertices;
         vertices.begin_arrays(list, mode);
         for (GLsizei i = 0; i < count; ++i) {
-            for_each_enabled_array(ctx.arrays, element(i),
-                                   [&](int attribute, const std::array<GLfloat, 4>& value) {
-                                       if (attribute == pipeline::kPosition)
-                                           vertices.vertex(list, value);
-                                       else
-                                           vertices.attribute(list, attribute, value);
-                                   });
+            for (const ReadableArray& array : arrays) {
+                const std::array<GLfloat, 4> value = array.element(element(i));
+                if (array.attribute == pipeline::kPosition)
+                    vertices.vertex(list, value);
+                else
+                    vertices.attribute(list, array.attribute, value);
+            }
         }
         vertices.end_arrays(list);
     });
@@ -64,35 +72,48 @@ void record_draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type,
     if (!is_index_type(type)) return record_list_error(ctx, GL_INVALID_ENUM, "no type of indices");
     const auto [error, rule] = error_of_draw(ctx, mode, count);
     if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
-    if (!indices) return;
-    record_arrays(ctx, mode, count,
-                  [&](GLsizei i) { return static_cast<GLint>(index_at(indices, type, i)); });
+    const auto [bytes, readable_count] = find_indices(ctx, count, type, indices);
+    if (bytes.mapped) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
+    const std::byte* const from = bytes.data;
+    record_arrays(ctx, mode, readable_count,
+                  [&](GLsizei i) { return static_cast<GLint>(index_at(from, type, i)); });
 }
 
 }  // namespace
 
 void Compile::ArrayElement(Context& ctx, GLint i) {
     if (i < 0) return record_list_error(ctx, GL_INVALID_VALUE, "the element is negative");
-    for_each_enabled_array(ctx.arrays, i, [&](int attribute, const std::array<GLfloat, 4>& v) {
-        switch (attribute) {
+    const EnabledArrays arrays(ctx);
+    if (arrays.any_mapped()) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
+    for (const ReadableArray& array : arrays) {
+        const std::array<GLfloat, 4> v = array.element(i);
+        switch (array.attribute) {
             case pipeline::kNormal:
-                return Normal3f(ctx, v[0], v[1], v[2]);
+                Normal3f(ctx, v[0], v[1], v[2]);
+                break;
             case pipeline::kColor:
-                return Color4f(ctx, v[0], v[1], v[2], v[3]);
+                Color4f(ctx, v[0], v[1], v[2], v[3]);
+                break;
             case pipeline::kEdgeFlag:
-                return EdgeFlag(ctx, v[0] != 0);
+                EdgeFlag(ctx, v[0] != 0);
+                break;
             case pipeline::kTexture0:
-                return TexCoord4f(ctx, v[0], v[1], v[2], v[3]);
+                TexCoord4f(ctx, v[0], v[1], v[2], v[3]);
+                break;
             case pipeline::kSecondaryColor:
-                return SecondaryColor3f(ctx, v[0], v[1], v[2]);
+                SecondaryColor3f(ctx, v[0], v[1], v[2]);
+                break;
             case pipeline::kFogCoordinate:
-                return FogCoordf(ctx, v[0]);
+                FogCoordf(ctx, v[0]);
+                break;
             case pipeline::kPosition:
-                return Vertex4f(ctx, v[0], v[1], v[2], v[3]);
+                Vertex4f(ctx, v[0], v[1], v[2], v[3]);
+                break;
+            default:
+                MultiTexCoord4f(ctx, static_cast<GLenum>(GL_TEXTURE0 + array.attribute - pipeline::kTexture0),
+                                v[0], v[1], v[2], v[3]);
         }
-        MultiTexCoord4f(ctx, static_cast<GLenum>(GL_TEXTURE0 + attribute - pipeline::kTexture0), v[0], v[1],
-                        v[2], v[3]);
-    });
+    }
 }
 
 void Compile::DrawArrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {

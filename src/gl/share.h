@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 
+#include "gl/buffers.h"
 #include "gl/name_ranges.h"
 #include "gl/texture.h"
 
@@ -22,6 +23,7 @@ struct ShareGroup {
     NameRanges list_names;  // in use: made by NewList or set aside by GenLists
     std::map<GLuint, std::shared_ptr<const DisplayList>> lists;  // those that are not empty
     TextureNames textures;
+    BufferNames buffers;
 };
 
 }  // namespace terrazzo::gl

@@ -59,6 +59,22 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_CLIENT_ACTIVE_TEXTURE, [](Context& c, Out& out) { out = GL_TEXTURE0 + c.arrays.active_texture; }},
     {GL_EDGE_FLAG_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.edge_flag.stride; }},
 
+    // Buffer objects
+    {GL_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.array_buffer); }},
+    {GL_ELEMENT_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.element_buffer); }},
+    {GL_VERTEX_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.vertex.buffer); }},
+    {GL_NORMAL_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.normal.buffer); }},
+    {GL_COLOR_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.color.buffer); }},
+    {GL_INDEX_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.index.buffer); }},
+    {GL_EDGE_FLAG_ARRAY_BUFFER_BINDING,
+     [](Context& c, Out& out) { out = name_of(c.arrays.edge_flag.buffer); }},
+    {GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING,
+     [](Context& c, Out& out) { out = name_of(c.arrays.secondary_color.buffer); }},
+    {GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING,
+     [](Context& c, Out& out) { out = name_of(c.arrays.fog_coordinate.buffer); }},
+    {GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING,
+     [](Context& c, Out& out) { out = name_of(texture_array(c).buffer); }},
+
     // Pixels
     {GL_UNPACK_SWAP_BYTES, [](Context& c, Out& out) { out = c.pixels.unpack.swap_bytes; }},
     {GL_UNPACK_LSB_FIRST, [](Context& c, Out& out) { out = c.pixels.unpack.lsb_first; }},

@@ -383,6 +383,40 @@ void play_array(Player& p) {
     p.gl().EdgeFlagPointer(stride, pointer);
 }
 
+// Objects keep to names that the program chooses: the libraries need not make the same ones.
+void play_buffer(Player& p) {
+    const GLuint name = p.pick(4);
+    p.note(std::to_string(name));
+    const GLenum target = p.enumerant({TERRAZZO_E(GL_ARRAY_BUFFER), TERRAZZO_E(GL_ELEMENT_ARRAY_BUFFER)});
+    const GLintptr offset = static_cast<GLintptr>(p.pick(40)) - 4;
+    const GLsizeiptr size = static_cast<GLsizeiptr>(p.pick(40)) - 4;
+    GLubyte bytes[64] = {};
+    const unsigned choice = p.pick(10);
+    p.note(std::to_string(choice) + ' ' + std::to_string(offset) + ' ' + std::to_string(size));
+    switch (choice) {
+        case 0:
+        case 1:
+        case 2:
+            return p.gl().BindBuffer(target, name);
+        case 3:
+            return p.gl().DeleteBuffers(1, &name);
+        case 4:
+            return p.gl().BufferSubData(target, offset, size, bytes);
+        case 5:
+            return p.gl().GetBufferSubData(target, offset, size, bytes);
+        case 6:
+            p.gl().MapBuffer(target, p.enumerant({TERRAZZO_E(GL_READ_ONLY), TERRAZZO_E(GL_WRITE_ONLY),
+                                                  TERRAZZO_E(GL_READ_WRITE)}));
+            return;
+        case 7:
+            p.gl().UnmapBuffer(target);
+            return;
+    }
+    p.gl().BufferData(
+        target, size, p.pick(2) ? bytes : nullptr,
+        p.enumerant({TERRAZZO_E(GL_STATIC_DRAW), TERRAZZO_E(GL_STREAM_READ), TERRAZZO_E(GL_DYNAMIC_COPY)}));
+}
+
 void play_interleaved_arrays(Player& p) {
     const GLsizei stride = static_cast<GLsizei>(p.pick(100)) - 4;
     p.note(std::to_string(stride));
@@ -618,6 +652,7 @@ const Command kCommands[] = {
     {"current value", play_current_value},
     {"glBegin...glEnd", play_primitive},
     {"array pointer", play_array},
+    {"buffer object", play_buffer},
     {"glInterleavedArrays", play_interleaved_arrays},
     {"glEnableClientState", [](Player& p) { p.gl().EnableClientState(p.enumerant(kArrays)); }},
     {"glDisableClientState", [](Player& p) { p.gl().DisableClientState(p.enumerant(kArrays)); }},

@@ -180,6 +180,16 @@ constexpr Variable kVariables[] = {
     {TERRAZZO_NAME(GL_FOG_COORDINATE_ARRAY_STRIDE), 1},
     {TERRAZZO_NAME(GL_CURRENT_SECONDARY_COLOR), 4, false},
     {TERRAZZO_NAME(GL_CURRENT_FOG_COORDINATE), 1, false},
+    {TERRAZZO_NAME(GL_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_ELEMENT_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_VERTEX_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_NORMAL_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_COLOR_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_INDEX_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING), 1},
+    {TERRAZZO_NAME(GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING), 1},
     {TERRAZZO_NAME(GL_TRANSPOSE_MODELVIEW_MATRIX), 16, false},
     {TERRAZZO_NAME(GL_TRANSPOSE_PROJECTION_MATRIX), 16, false},
     {TERRAZZO_NAME(GL_BLEND_SRC_RGB), 1},
@@ -310,6 +320,16 @@ constexpr Name kPointers[] = {
     TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_POINTER),   TERRAZZO_NAME(GL_EDGE_FLAG_ARRAY_POINTER),
     TERRAZZO_NAME(GL_SECONDARY_COLOR_ARRAY_POINTER), TERRAZZO_NAME(GL_FOG_COORDINATE_ARRAY_POINTER),
 };
+struct BufferTarget {
+    Name target;
+    GLenum binding;
+};
+constexpr BufferTarget kBufferTargets[] = {
+    {TERRAZZO_NAME(GL_ARRAY_BUFFER), GL_ARRAY_BUFFER_BINDING},
+    {TERRAZZO_NAME(GL_ELEMENT_ARRAY_BUFFER), GL_ELEMENT_ARRAY_BUFFER_BINDING},
+};
+constexpr Name kBufferParameters[] = {TERRAZZO_NAME(GL_BUFFER_SIZE), TERRAZZO_NAME(GL_BUFFER_USAGE),
+                                      TERRAZZO_NAME(GL_BUFFER_ACCESS), TERRAZZO_NAME(GL_BUFFER_MAPPED)};
 constexpr Name kLights[] = {TERRAZZO_NAME(GL_LIGHT0), TERRAZZO_NAME(GL_LIGHT1), TERRAZZO_NAME(GL_LIGHT7)};
 constexpr Name kFaces[] = {TERRAZZO_NAME(GL_FRONT), TERRAZZO_NAME(GL_BACK)};
 constexpr Name kCoordinates[] = {TERRAZZO_NAME(GL_S), TERRAZZO_NAME(GL_T), TERRAZZO_NAME(GL_R),
@@ -380,6 +400,23 @@ void dump_objects(const Objects& objects, const Parameters& parameters, Floats f
     }
 }
 
+// The buffer objects that are bound; as many lines where there are none.
+void dump_buffers(const kit::Gl& gl, Dump& dump) {
+    for (const auto& [target, binding] : kBufferTargets) {
+        GLint bound = 0;
+        gl.GetIntegerv(binding, &bound);
+        for (const Name& parameter : kBufferParameters) {
+            dump.push_back(
+                query_line<GLint>(std::string(target.text) + '.' + parameter.text, "int", 1, [&](auto* p) {
+                    if (bound != 0) gl.GetBufferParameteriv(target.value, parameter.value, p);
+                }));
+        }
+        void* pointer = nullptr;
+        if (bound != 0) gl.GetBufferPointerv(target.value, GL_BUFFER_MAP_POINTER, &pointer);
+        dump.push_back(target.text + text(pointer != nullptr));
+    }
+}
+
 void dump_polygon_stipple(const kit::Gl& gl, Dump& dump) {
     gl.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     for (GLenum parameter : {GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS}) {
@@ -414,6 +451,7 @@ std::vector<std::string> dump_state(const kit::Gl& gl) {
         gl.GetPointerv(name.value, &pointer);
         dump.push_back(name.text + text(static_cast<GLdouble>(reinterpret_cast<std::uintptr_t>(pointer))));
     }
+    dump_buffers(gl, dump);
     dump_polygon_stipple(gl, dump);
     dump.push_back("error after the queries" + text(gl.GetError()));
     return dump;
