@@ -25,6 +25,7 @@
 #include "gl/lists.h"
 #include "gl/matrix.h"
 #include "gl/pixels.h"
+#include "gl/queries.h"
 #include "gl/raster_position.h"
 #include "gl/rasterization.h"
 #include "gl/surface.h"
@@ -67,6 +68,7 @@ struct Context {
     FragmentOpsState fragment_ops;
     FramebufferState framebuffer;
     PixelState pixels;
+    QueryState queries;
     HintState hints;
     ListState lists;
     AttribState attrib;

@@ -348,6 +348,11 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     make_blending(ctx, state);
     make_fog(ctx, state);
     raster::FragmentKey& key = state.key;
+    if (ctx.queries.active) {
+        key.counts_samples = true;
+        state.samples_passed = &ctx.queries.active->counter->samples;
+        block->images.push_back(ctx.queries.active->counter);
+    }
     const PolygonState& polygon = ctx.rasterization.polygon;
     key.depth_offset = key.depth_test &&
                        (polygon.offset_fill || polygon.offset_line || polygon.offset_point) &&

@@ -16,7 +16,7 @@ struct FragmentBlock {
     raster::FragmentState fill, line, point;
     std::vector<raster::TextureStage> stages;
     std::vector<uint32_t> polygon_stipple;
-    std::vector<std::shared_ptr<const void>> images;
+    std::vector<std::shared_ptr<const void>> images;  // and whatever else the states point at
 
     // Without the images, which textures hold.
     size_t size_in_bytes() const {

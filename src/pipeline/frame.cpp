@@ -98,7 +98,8 @@ void Frame::add(const BinClear& clear) {
     for (int row = clear.y0 / kBinSize; row <= (clear.y1 - 1) / kBinSize; ++row) {
         for (int column = clear.x0 / kBinSize; column <= (clear.x1 - 1) / kBinSize; ++column) {
             const int bin = row * across + column;
-            if (everything && raster::clears_whole_bin(clear, *m_target, column * kBinSize, row * kBinSize))
+            if (everything && !m_counts_samples &&
+                raster::clears_whole_bin(clear, *m_target, column * kBinSize, row * kBinSize))
                 m_bins[static_cast<size_t>(bin)] = {};  // what was to be drawn here will not be seen
             push(bin, command);
         }
@@ -155,6 +156,7 @@ void Frame::reset() {
     std::fill(m_bins.begin(), m_bins.end(), BinList{});
     m_kept.clear();
     m_kept_bytes = 0;
+    m_counts_samples = false;
     m_arena.reset();
     m_commands = 0;
 }

@@ -68,6 +68,7 @@ class Frame {
     // Keeps a fragment state alive until the frame has been drawn.
     void keep(std::shared_ptr<const FragmentBlock> block) {
         if (!m_kept.empty() && m_kept.back() == block) return;
+        m_counts_samples = m_counts_samples || block->fill.key.counts_samples;
         m_kept_bytes += block->size_in_bytes();
         m_kept.push_back(std::move(block));
     }
@@ -107,6 +108,7 @@ class Frame {
     std::vector<std::shared_ptr<const FragmentBlock>> m_kept;
     size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;
+    bool m_counts_samples = false;  // some primitive does
 };
 
 }  // namespace terrazzo::pipeline

@@ -147,6 +147,7 @@ struct FragmentKey {
     bool interpolated_color = true;  // otherwise FragmentState::constant_color
     bool flat_color = false;         // colours are their planes' origins as they stand
     bool separate_specular = false;  // a secondary colour is added after texturing
+    bool counts_samples = false;     // FragmentState::samples_passed
     TextureKind texture = TextureKind::kNone;
 
     friend constexpr bool operator==(const FragmentKey&, const FragmentKey&) = default;
@@ -209,6 +210,9 @@ struct FragmentState {
     const uint32_t* polygon_stipple =
         nullptr;                            // 32 rows from the bottom, bit 31 leftmost; lives in the frame
     int32_t target_height_for_stipple = 0;  // of a target whose row 0 is the top; 0 where row 0 is the bottom
+
+    // Where the fragments that pass all tests are counted, by several threads; outlives the state.
+    uint64_t* samples_passed = nullptr;
 
     // What an error of a varying's plane does to the colour, as a share of its range.
     std::array<float, kMaxPlanes> error_weights{};

@@ -353,6 +353,27 @@ const Enumerants kArrays = {TERRAZZO_E(GL_VERTEX_ARRAY),          TERRAZZO_E(GL_
                             TERRAZZO_E(GL_TEXTURE_COORD_ARRAY),   TERRAZZO_E(GL_EDGE_FLAG_ARRAY),
                             TERRAZZO_E(GL_SECONDARY_COLOR_ARRAY), TERRAZZO_E(GL_FOG_COORDINATE_ARRAY)};
 
+void play_query(Player& p) {
+    const GLuint name = p.pick(3);
+    GLuint result = 0;
+    const unsigned choice = p.pick(6);
+    p.note(std::to_string(name) + ' ' + std::to_string(choice));
+    const Enumerants target = {TERRAZZO_E(GL_SAMPLES_PASSED)};
+    switch (choice) {
+        case 0:
+        case 1:
+            return p.gl().BeginQuery(p.enumerant(target), name);
+        case 2:
+            return p.gl().EndQuery(p.enumerant(target));
+        case 3:
+            return p.gl().DeleteQueries(1, &name);
+        case 4:
+            p.gl().GetQueryObjectuiv(name, p.enumerant({TERRAZZO_E(GL_QUERY_RESULT)}), &result);
+            return p.note("result " + std::to_string(result));
+    }
+    p.note(std::to_string(p.gl().IsQuery(name)));
+}
+
 // Pointers are never read: arrays are set and enabled, but nothing is drawn from them. The reference stores
 // some negative strides although it records the error, so there are none here.
 void play_array(Player& p) {
@@ -653,6 +674,7 @@ const Command kCommands[] = {
     {"glBegin...glEnd", play_primitive},
     {"array pointer", play_array},
     {"buffer object", play_buffer},
+    {"query", play_query},
     {"glInterleavedArrays", play_interleaved_arrays},
     {"glEnableClientState", [](Player& p) { p.gl().EnableClientState(p.enumerant(kArrays)); }},
     {"glDisableClientState", [](Player& p) { p.gl().DisableClientState(p.enumerant(kArrays)); }},

@@ -452,6 +452,9 @@ std::vector<std::string> dump_state(const kit::Gl& gl) {
         dump.push_back(name.text + text(static_cast<GLdouble>(reinterpret_cast<std::uintptr_t>(pointer))));
     }
     dump_buffers(gl, dump);
+    dump.push_back(query_line<GLint>("GL_CURRENT_QUERY", "int", 1, [&](auto* p) {
+        gl.GetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, p);
+    }));
     dump_polygon_stipple(gl, dump);
     dump.push_back("error after the queries" + text(gl.GetError()));
     return dump;

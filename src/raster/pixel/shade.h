@@ -3,6 +3,8 @@
 // state.
 #pragma once
 
+#include <bit>
+
 #include "raster/half_space.h"
 #include "raster/pixel/combine.h"
 #include "raster/pixel/coverage.h"
@@ -132,6 +134,7 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
     Interpolator at(primitive, Key::kTakesSteep && primitive.steep);
     // Where nothing that comes before the depth test can discard a fragment, the test comes first.
     const bool early = k.alpha_func == Compare::kAlways && k.coverage != Coverage::kPoint;
+    uint64_t passed = 0;
     for (int i = 0; i < list.count; ++i) {
         const int tile = list.entries[i].tile;
         uint32_t mask = list.entries[i].mask;
@@ -147,6 +150,7 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
             mask = depth_stencil_test(key, state, shared.depth_bits, primitive, at, bin, tile, mask);
             if (mask == 0) continue;
         }
+        if (k.counts_samples && early) passed += static_cast<uint32_t>(std::popcount(mask));
         if (early && k.color_mask == 0) continue;
         if (k.texture == TextureKind::kBilinearRgba8) {
             const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
@@ -161,9 +165,11 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
                 mask = depth_stencil_test(key, state, shared.depth_bits, primitive, at, bin, tile, mask);
                 if (mask == 0) continue;
             }
+            if (k.counts_samples) passed += static_cast<uint32_t>(std::popcount(mask));
         }
         write_color(key, state, color, mask, bin, tile);
     }
+    if (k.counts_samples) __atomic_fetch_add(state.samples_passed, passed, __ATOMIC_RELAXED);
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE
