@@ -15,7 +15,7 @@ TextureUnit& active_unit(Context& ctx) {
 
 bool is_environment_mode(GLfloat mode) {
     return mode == GL_MODULATE || mode == GL_DECAL || mode == GL_BLEND || mode == GL_REPLACE ||
-           mode == GL_ADD;
+           mode == GL_ADD || mode == GL_COMBINE;
 }
 
 TexgenCoordinate* find_coordinate(Context& ctx, GLenum coord) {
@@ -35,6 +35,7 @@ bool is_texgen_mode(GLenum coord, GLfloat mode) {
 void tex_envfv(Context& ctx, GLenum target, GLenum pname, const GLfloat* params) {
     if (target != GL_TEXTURE_ENV) return record_error(ctx, GL_INVALID_ENUM, "target is not GL_TEXTURE_ENV");
     TextureEnv& env = active_unit(ctx).env;
+    if (set_combine_parameter(ctx, env, pname, *params)) return;
     switch (pname) {
         case GL_TEXTURE_ENV_MODE:
             if (!is_environment_mode(*params)) return record_error(ctx, GL_INVALID_ENUM, "no such mode");
@@ -65,6 +66,7 @@ void tex_genfv(Context& ctx, GLenum coord, GLenum pname, const GLfloat* params) 
 void get_tex_envfv(Context& ctx, GLenum target, GLenum pname, GLfloat* params) {
     if (target != GL_TEXTURE_ENV) return record_error(ctx, GL_INVALID_ENUM, "target is not GL_TEXTURE_ENV");
     const TextureEnv& env = active_unit(ctx).env;
+    if (get_combine_parameter(env, pname, *params)) return;
     switch (pname) {
         case GL_TEXTURE_ENV_MODE:
             *params = static_cast<GLfloat>(env.mode);

@@ -10,10 +10,27 @@
 
 namespace terrazzo::gl {
 
+// One half of a combiner, for the colours or for alpha (GL 1.5 tables 3.24-3.26).
+struct CombineHalf {
+    GLenum function = GL_MODULATE;
+    std::array<GLenum, 3> sources{GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
+    std::array<GLenum, 3> operands{GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
+    GLfloat scale = 1;
+};
+
 struct TextureEnv {
+    TextureEnv() { rgb.operands = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}; }
+
     GLenum mode = GL_MODULATE;
     std::array<GLfloat, 4> color{};  // as specified; clamped to 0..1 where it is used
+    CombineHalf rgb, alpha;          // of GL_COMBINE
 };
+
+struct Context;
+
+// The parameters of GL_COMBINE (texture_combine.cpp). False: `pname` is none of them.
+bool set_combine_parameter(Context& ctx, TextureEnv& env, GLenum pname, GLfloat value);
+bool get_combine_parameter(const TextureEnv& env, GLenum pname, GLfloat& value);
 
 struct TexgenCoordinate {
     bool enabled = false;

@@ -91,8 +91,39 @@ raster::EnvMode translate_env_mode(GLenum mode) {
             return raster::EnvMode::kBlend;
         case GL_ADD:
             return raster::EnvMode::kAdd;
+        case GL_COMBINE:
+            return raster::EnvMode::kCombine;
     }
     return raster::EnvMode::kModulate;
+}
+
+raster::CombineFunction translate_combine_function(GLenum function) {
+    using raster::CombineFunction;
+    switch (function) {
+        case GL_REPLACE:
+            return CombineFunction::kReplace;
+        case GL_ADD:
+            return CombineFunction::kAdd;
+        case GL_ADD_SIGNED:
+            return CombineFunction::kAddSigned;
+        case GL_INTERPOLATE:
+            return CombineFunction::kInterpolate;
+        case GL_SUBTRACT:
+            return CombineFunction::kSubtract;
+        case GL_DOT3_RGB:
+        case GL_DOT3_RGB_EXT:
+            return CombineFunction::kDot3Rgb;
+        case GL_DOT3_RGBA:
+        case GL_DOT3_RGBA_EXT:
+            return CombineFunction::kDot3Rgba;
+        case GL_MODULATE_ADD_ATI:
+            return CombineFunction::kModulateAdd;
+        case GL_MODULATE_SIGNED_ADD_ATI:
+            return CombineFunction::kModulateSignedAdd;
+        case GL_MODULATE_SUBTRACT_ATI:
+            return CombineFunction::kModulateSubtract;
+    }
+    return CombineFunction::kModulate;
 }
 
 raster::Wrap translate_wrap(GLenum wrap) {

@@ -26,6 +26,7 @@ raster::BlendFactor translate_blend_factor(GLenum factor);
 raster::BlendEquation translate_blend_equation(GLenum equation);
 raster::LogicOp translate_logic_op(GLenum op);
 raster::EnvMode translate_env_mode(GLenum mode);
+raster::CombineFunction translate_combine_function(GLenum function);
 raster::Wrap translate_wrap(GLenum wrap);
 pipeline::TexgenMode translate_texgen_mode(GLenum mode);
 pipeline::FillMode translate_fill_mode(GLenum mode);

@@ -114,6 +114,46 @@ void set_filters(const TextureParameters& p, raster::Sampler& out) {
                          : MipFilter::kLinear;
 }
 
+// `sampled`: one bit for each unit that samples a texture. The texel of another is zero, as in the reference.
+raster::CombineSource combine_source(GLenum source, unsigned own_unit, unsigned sampled) {
+    using raster::CombineSource;
+    switch (source) {
+        case GL_PRIMARY_COLOR:
+            return CombineSource::kPrimary;
+        case GL_PREVIOUS:
+            return CombineSource::kPrevious;
+        case GL_CONSTANT:
+            return CombineSource::kConstant;
+        case GL_ZERO:
+            return CombineSource::kZero;
+        case GL_ONE:
+            return CombineSource::kOne;
+    }
+    const unsigned unit = source == GL_TEXTURE ? own_unit : source - GL_TEXTURE0;
+    return sampled >> unit & 1 ? static_cast<CombineSource>(unit) : CombineSource::kZero;
+}
+
+raster::CombineHalf make_combine_half(const CombineHalf& half, unsigned unit, unsigned sampled) {
+    raster::CombineHalf out;
+    out.function = translate_combine_function(half.function);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const GLenum operand = half.operands[i];
+        out.arguments[i] = {combine_source(half.sources[i], unit, sampled),
+                            operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA,
+                            operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA};
+    }
+    out.scale = half.scale;
+    return out;
+}
+
+void make_combiner(const TextureEnv& env, unsigned sampled, raster::TextureStage& out) {
+    out.rgb = make_combine_half(env.rgb, out.unit, sampled);
+    out.alpha = make_combine_half(env.alpha, out.unit, sampled);
+    // EXT_texture_env_dot3 does not scale what it makes.
+    if (env.rgb.function == GL_DOT3_RGB_EXT) out.rgb.scale = 1;
+    if (env.rgb.function == GL_DOT3_RGBA_EXT) out.rgb.scale = out.alpha.scale = 1;
+}
+
 raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, const TextureObject& object,
                                 const TextureCompleteness& levels,
                                 std::vector<std::shared_ptr<const void>>& images) {
@@ -381,6 +421,10 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
             used |= 1u << u;
             make_texture_coordinates(ctx, u, coordinates);
         }
+    }
+    for (raster::TextureStage& stage : block->stages) {
+        if (stage.mode == raster::EnvMode::kCombine)
+            make_combiner(ctx.texture.units[stage.unit].env, used, stage);
     }
     const unsigned projective = ctx.drawing.projective = projective_units(draw.vertex, input);
     key.texture = block->stages.empty()                                  ? raster::TextureKind::kNone

@@ -64,7 +64,45 @@ inline constexpr LogicOp kLogicCopy = 0b1100;
 
 enum class FogMode : uint8_t { kNone, kLinear, kExp, kExp2 };
 
-enum class EnvMode : uint8_t { kModulate, kReplace, kDecal, kBlend, kAdd };
+enum class EnvMode : uint8_t { kModulate, kReplace, kDecal, kBlend, kAdd, kCombine };
+
+// Of two or three arguments a, b, c (GL 1.5 table 3.24, ATI_texture_env_combine3).
+enum class CombineFunction : uint8_t {
+    kReplace,
+    kModulate,
+    kAdd,
+    kAddSigned,
+    kInterpolate,
+    kSubtract,
+    kDot3Rgb,   // the colours alone
+    kDot3Rgba,  // the colours, and alpha instead of its own function
+    kModulateAdd,
+    kModulateSignedAdd,
+    kModulateSubtract,
+};
+
+// The texels of units come first.
+enum class CombineSource : uint8_t {
+    kTexture0,
+    kPrimary = kTexture0 + kMaxTextureUnits,
+    kPrevious,
+    kConstant,
+    kZero,
+    kOne
+};
+
+struct CombineArgument {
+    CombineSource source = CombineSource::kZero;
+    bool alpha = false;       // the source's alpha in place of its colours
+    bool complement = false;  // 1 minus that
+};
+
+// One half of a combiner, for the colours or for alpha.
+struct CombineHalf {
+    CombineFunction function = CombineFunction::kReplace;
+    CombineArgument arguments[3];
+    float scale = 1;
+};
 
 // Which channels a texture's base internal format has (GL 1.5 table 3.15).
 enum class BaseFormat : uint8_t { kAlpha, kLuminance, kLuminanceAlpha, kIntensity, kRgb, kRgba, kDepth };
@@ -107,6 +145,7 @@ struct TextureStage {
     EnvMode mode = EnvMode::kModulate;
     BaseFormat base_format = BaseFormat::kRgba;
     float env_color[4] = {};
+    CombineHalf rgb, alpha;  // of EnvMode::kCombine
 };
 
 // What runs in place of a general texture stage in a specialised kernel.

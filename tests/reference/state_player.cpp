@@ -213,13 +213,48 @@ void play_texgen(Player& p) {
     p.gl().TexGenfv(coordinate, pname, p.numbers(4).data());
 }
 
+void play_combiner(Player& p) {
+    const GLenum operands[2] = {p.enumerant({TERRAZZO_E(GL_SRC_COLOR), TERRAZZO_E(GL_ONE_MINUS_SRC_COLOR)}),
+                                p.enumerant({TERRAZZO_E(GL_SRC_ALPHA), TERRAZZO_E(GL_ONE_MINUS_SRC_ALPHA)})};
+    const GLenum source = p.enumerant(
+        {TERRAZZO_E(GL_TEXTURE), TERRAZZO_E(GL_PREVIOUS), TERRAZZO_E(GL_CONSTANT), TERRAZZO_E(GL_ONE),
+         TERRAZZO_E(GL_PRIMARY_COLOR), TERRAZZO_E(GL_ZERO), TERRAZZO_E(GL_TEXTURE7)});
+    const GLenum function =
+        p.enumerant({TERRAZZO_E(GL_REPLACE), TERRAZZO_E(GL_MODULATE), TERRAZZO_E(GL_ADD),
+                     TERRAZZO_E(GL_ADD_SIGNED), TERRAZZO_E(GL_INTERPOLATE), TERRAZZO_E(GL_SUBTRACT),
+                     TERRAZZO_E(GL_DOT3_RGB), TERRAZZO_E(GL_DOT3_RGBA), TERRAZZO_E(GL_DOT3_RGB_EXT),
+                     TERRAZZO_E(GL_MODULATE_ADD_ATI), TERRAZZO_E(GL_DECAL)});
+    const unsigned number = p.pick(3), scale = p.pick(5);
+    p.note(std::to_string(number) + ' ' + std::to_string(scale));
+    const auto set = [&](GLenum pname, GLenum value) {
+        p.gl().TexEnvf(GL_TEXTURE_ENV, pname, static_cast<GLfloat>(value));
+    };
+    switch (p.pick(8)) {
+        case 0:
+            return set(GL_COMBINE_RGB, function);
+        case 1:
+            return set(GL_COMBINE_ALPHA, function);
+        case 2:
+            return set(GL_SRC0_RGB + number, source);
+        case 3:
+            return set(GL_SRC0_ALPHA + number, source);
+        case 4:
+            return set(GL_OPERAND0_RGB + number, operands[scale & 1]);
+        case 5:
+            return set(GL_OPERAND0_ALPHA + number, operands[scale & 1]);
+        case 6:
+            return set(GL_RGB_SCALE, scale);
+    }
+    set(GL_ALPHA_SCALE, scale);
+}
+
 void play_texture_environment(Player& p) {
     if (p.pick(2)) return p.gl().TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, p.numbers(4).data());
     const GLenum target = p.enumerant({TERRAZZO_E(GL_TEXTURE_ENV)});
-    p.gl().TexEnvi(
-        target, GL_TEXTURE_ENV_MODE,
-        static_cast<GLint>(p.enumerant({TERRAZZO_E(GL_MODULATE), TERRAZZO_E(GL_DECAL), TERRAZZO_E(GL_BLEND),
-                                        TERRAZZO_E(GL_REPLACE), TERRAZZO_E(GL_ADD)})));
+    p.gl().TexEnvi(target, GL_TEXTURE_ENV_MODE,
+                   static_cast<GLint>(
+                       p.enumerant({TERRAZZO_E(GL_MODULATE), TERRAZZO_E(GL_DECAL), TERRAZZO_E(GL_BLEND),
+                                    TERRAZZO_E(GL_REPLACE), TERRAZZO_E(GL_ADD), TERRAZZO_E(GL_COMBINE)})));
 }
 
 // Matrices are kept moderate. When one becomes singular by rounding, the inverse that the reference finds
@@ -610,6 +645,7 @@ const Command kCommands[] = {
      }},
     {"glTexGen", play_texgen},
     {"glTexEnv", play_texture_environment},
+    {"combiner", play_combiner},
     {"glScissor",
      [](Player& p) {
          const GLint v[4] = {p.integer(), p.integer(), p.integer(), p.integer()};

@@ -303,8 +303,15 @@ constexpr Parameter kTexgenParameters[] = {
 };
 
 constexpr Parameter kEnvironmentParameters[] = {
-    {TERRAZZO_NAME(GL_TEXTURE_ENV_MODE), 1, true},
-    {TERRAZZO_NAME(GL_TEXTURE_ENV_COLOR), 4},
+    {TERRAZZO_NAME(GL_TEXTURE_ENV_MODE), 1, true}, {TERRAZZO_NAME(GL_TEXTURE_ENV_COLOR), 4},
+    {TERRAZZO_NAME(GL_COMBINE_RGB), 1, true},      {TERRAZZO_NAME(GL_COMBINE_ALPHA), 1, true},
+    {TERRAZZO_NAME(GL_SRC0_RGB), 1, true},         {TERRAZZO_NAME(GL_SRC1_RGB), 1, true},
+    {TERRAZZO_NAME(GL_SRC2_RGB), 1, true},         {TERRAZZO_NAME(GL_SRC0_ALPHA), 1, true},
+    {TERRAZZO_NAME(GL_SRC1_ALPHA), 1, true},       {TERRAZZO_NAME(GL_SRC2_ALPHA), 1, true},
+    {TERRAZZO_NAME(GL_OPERAND0_RGB), 1, true},     {TERRAZZO_NAME(GL_OPERAND1_RGB), 1, true},
+    {TERRAZZO_NAME(GL_OPERAND2_RGB), 1, true},     {TERRAZZO_NAME(GL_OPERAND0_ALPHA), 1, true},
+    {TERRAZZO_NAME(GL_OPERAND1_ALPHA), 1, true},   {TERRAZZO_NAME(GL_OPERAND2_ALPHA), 1, true},
+    {TERRAZZO_NAME(GL_RGB_SCALE), 1, true},        {TERRAZZO_NAME(GL_ALPHA_SCALE), 1, true},
 };
 
 constexpr Parameter kTextureParameters[] = {

@@ -89,6 +89,7 @@ TERRAZZO_INLINE Color modulate_bilinear(const SharedByTiles& shared, const Inter
 TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, Color color,
                                        uint32_t mask) {
     const F32x16 w = at.exact_w();
+    Color texels[kMaxTextureUnits];
     for (int i = 0; i < state.texture_count; ++i) {
         const TextureStage& stage = state.textures[i];
         const int first = state.varyings.texture[stage.unit];
@@ -98,9 +99,11 @@ TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpo
             s = s * scale;
             t = t * scale;
         }
-        color = combine(stage, color, sample_texture(stage.sampler, s, t, mask));
+        texels[stage.unit] = sample_texture(stage.sampler, s, t, mask);
     }
-    return color;
+    CombineInput in{texels, color, color, {}};
+    for (int i = 0; i < state.texture_count; ++i) in.previous = combine_stage(state.textures[i], in);
+    return in.previous;
 }
 
 template <class Key>

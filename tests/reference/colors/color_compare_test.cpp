@@ -20,7 +20,8 @@ using nlohmann::json;
 
 std::vector<Trial> all_trials() {
     std::vector<Trial> trials = lighting_trials();
-    for (const Trial& trial : fragment_trials()) trials.push_back(trial);
+    for (const auto& more : {fragment_trials(), combine_trials()})
+        trials.insert(trials.end(), more.begin(), more.end());
     return trials;
 }
 

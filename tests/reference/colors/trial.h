@@ -63,5 +63,6 @@ struct Trial {
 // All trials, by the file that defines them.
 std::vector<Trial> lighting_trials();
 std::vector<Trial> fragment_trials();
+std::vector<Trial> combine_trials();
 
 }  // namespace terrazzo::test
