@@ -15,6 +15,7 @@ void begin_change(Context& ctx, Dirty what) {
     // Between Begin and End only materials change, and those become attributes of the vertices.
     flush_vertices(ctx);
     ctx.dirty |= static_cast<unsigned>(what);
+    ctx.drawing.raster_is_stale |= what != Dirty::kTransform;
 }
 
 void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,

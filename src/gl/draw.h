@@ -19,6 +19,12 @@ struct Drawing {
     pipeline::AttributeMask streamed = 0;
     unsigned projective = 0;  // texture units, one bit each, whose coordinates may have a q other than 1
     std::array<float, 4> constant_color{};
+    // The fragment state of the last bitmap or pixel rectangle, and whether state has changed since.
+    std::shared_ptr<const pipeline::FragmentBlock> raster_fragment;
+    pipeline::RasterState raster_box;
+    bool raster_is_stale = true;
+    raster::PixelImage raster_image = raster::PixelImage::kNone;
+    std::array<float, 4> raster_color{};
 };
 
 // Queues primitives of vertices that were specified under the present state. `w_is_one`: so is every

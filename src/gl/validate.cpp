@@ -354,6 +354,10 @@ bool shows_texel(const raster::FragmentState& state) {
            key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways;
 }
 
+bool adds_secondary_color(const Context& ctx) {
+    return ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+}
+
 // What of the key depends on more than the state that make_fragment reads.
 void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, bool w_is_one,
                      raster::FragmentKey& key) {
@@ -362,8 +366,7 @@ void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, boo
     key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
     // Without perspective a constant plane is as good.
     key.flat_color = key.perspective && key.interpolated_color && ctx.lighting.shade_model == GL_FLAT;
-    key.separate_specular =
-        ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    key.separate_specular = adds_secondary_color(ctx);
 }
 
 // Whether the fragment state of the last draw serves this one too: programs that move from object to object
@@ -380,6 +383,33 @@ bool fragment_still_fits(const Context& ctx, const pipeline::VertexInput& input,
            drawing.projective == projective_units(drawing.state.vertex, input);
 }
 
+// Gives the block a stage for each unit that samples a texture; returns these units, a bit each.
+unsigned add_texture_stages(Context& ctx, pipeline::FragmentBlock& block) {
+    unsigned used = 0;
+    const std::lock_guard lock(ctx.shared->mutex);
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+        const TextureUnit& unit_state = ctx.texture.units[static_cast<std::size_t>(u)];
+        TextureCompleteness levels;
+        const TextureObject* const object = sampled_texture(unit_state, levels);
+        if (object == nullptr) continue;
+        block.stages.push_back(make_stage(u, unit_state, *object, levels, block.images));
+        used |= 1u << u;
+    }
+    for (raster::TextureStage& stage : block.stages) {
+        if (stage.mode == raster::EnvMode::kCombine)
+            make_combiner(ctx.texture.units[stage.unit].env, used, stage);
+    }
+    return used;
+}
+
+// For the occlusion query that is going on.
+void count_samples(const Context& ctx, pipeline::FragmentBlock& block) {
+    if (!ctx.queries.active) return;
+    block.fill.key.counts_samples = true;
+    block.fill.samples_passed = &ctx.queries.active->counter->samples;
+    block.images.push_back(ctx.queries.active->counter);
+}
+
 void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     pipeline::DrawState& draw = ctx.drawing.state;
     auto block = std::make_shared<pipeline::FragmentBlock>();
@@ -388,11 +418,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     make_blending(ctx, state);
     make_fog(ctx, state);
     raster::FragmentKey& key = state.key;
-    if (ctx.queries.active) {
-        key.counts_samples = true;
-        state.samples_passed = &ctx.queries.active->counter->samples;
-        block->images.push_back(ctx.queries.active->counter);
-    }
+    count_samples(ctx, *block);
     const PolygonState& polygon = ctx.rasterization.polygon;
     key.depth_offset = key.depth_test &&
                        (polygon.offset_fill || polygon.offset_line || polygon.offset_point) &&
@@ -407,24 +433,11 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     const auto& color = input.constants[pipeline::kColor];
     std::transform(color.begin(), color.end(), state.constant_color, unit);
 
-    unsigned used = 0;
-    {
-        const std::lock_guard lock(ctx.shared->mutex);
-        for (int u = 0; u < kMaxTextureUnits; ++u) {
-            const TextureUnit& unit_state = ctx.texture.units[static_cast<std::size_t>(u)];
-            pipeline::TextureCoordinates& coordinates = draw.vertex.texture[static_cast<std::size_t>(u)];
-            coordinates.used = false;
-            TextureCompleteness levels;
-            const TextureObject* const object = sampled_texture(unit_state, levels);
-            if (object == nullptr) continue;
-            block->stages.push_back(make_stage(u, unit_state, *object, levels, block->images));
-            used |= 1u << u;
-            make_texture_coordinates(ctx, u, coordinates);
-        }
-    }
-    for (raster::TextureStage& stage : block->stages) {
-        if (stage.mode == raster::EnvMode::kCombine)
-            make_combiner(ctx.texture.units[stage.unit].env, used, stage);
+    const unsigned used = add_texture_stages(ctx, *block);
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+        pipeline::TextureCoordinates& coordinates = draw.vertex.texture[static_cast<std::size_t>(u)];
+        coordinates.used = (used >> u & 1) != 0;
+        if (coordinates.used) make_texture_coordinates(ctx, u, coordinates);
     }
     const unsigned projective = ctx.drawing.projective = projective_units(draw.vertex, input);
     key.texture = block->stages.empty()                                  ? raster::TextureKind::kNone
@@ -437,7 +450,40 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     draw.fragment = std::move(block);
 }
 
+// Whether the pixels of an image reach the buffer as they are, if they pass the tests.
+bool shows_image(const raster::FragmentState& state) {
+    const raster::FragmentKey& key = state.key;
+    return key.color_format == raster::ColorFormat::kRgba8 && key.color_mask == 0xf &&
+           key.blend == raster::BlendKind::kNone && !key.logic_op && !key.separate_specular &&
+           key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways &&
+           key.texture == raster::TextureKind::kNone;
+}
+
 }  // namespace
+
+std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx, raster::PixelImage image) {
+    auto block = std::make_shared<pipeline::FragmentBlock>();
+    raster::FragmentState& state = block->fill;
+    make_tests(ctx, state);
+    make_blending(ctx, state);
+    make_fog(ctx, state);
+    count_samples(ctx, *block);
+    raster::FragmentKey& key = state.key;
+    key.perspective = key.interpolated_color = false;
+    key.separate_specular = adds_secondary_color(ctx);
+    std::copy_n(ctx.raster_position.color.data(), 4, state.constant_color);
+    const unsigned used = add_texture_stages(ctx, *block);
+    unsigned projective = 0;
+    for (std::size_t u = 0; u < kMaxTextureUnits; ++u)
+        if ((used >> u & 1) && ctx.raster_position.texture_coordinates[u][3] != 1) projective |= 1u << u;
+    key.texture = used ? raster::TextureKind::kGeneral : raster::TextureKind::kNone;
+    key.image =
+        image == raster::PixelImage::kRgba8 && shows_image(state) ? raster::PixelImage::kVerbatim : image;
+    if (image == raster::PixelImage::kStencil) key.stencil_test = true;
+    state.varyings = lay_out_varyings(key, used, projective);
+    block->complete(false, false);
+    return block;
+}
 
 void scissor_box(const Context& ctx, pipeline::RasterState& out) {
     const Surface& target = ctx.surface;

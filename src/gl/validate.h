@@ -1,6 +1,9 @@
 // Parts of validate() that have files of their own.
 #pragma once
 
+#include <memory>
+
+#include "pipeline/fragment_block.h"
 #include "pipeline/vertex_input.h"
 #include "pipeline/vertex_state.h"
 
@@ -11,5 +14,9 @@ struct Context;
 // Lighting and what becomes of normals. `vertex` has its texture coordinates already, and the modelview
 // matrix is settled: both say which space lighting happens in.
 void make_lighting(const Context& ctx, const pipeline::VertexInput& input, pipeline::VertexState& vertex);
+
+// What fragments go through that get their colours, texture coordinates and fog distance from the current
+// raster position, where `image` does not give them.
+std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx, raster::PixelImage image);
 
 }  // namespace terrazzo::gl

@@ -69,8 +69,13 @@ class Frame {
     void keep(std::shared_ptr<const FragmentBlock> block) {
         if (!m_kept.empty() && m_kept.back() == block) return;
         m_counts_samples = m_counts_samples || block->fill.key.counts_samples;
-        m_kept_bytes += block->size_in_bytes();
-        m_kept.push_back(std::move(block));
+        const size_t bytes = block->size_in_bytes();
+        keep(std::move(block), bytes);
+    }
+    // The same for other memory.
+    void keep(std::shared_ptr<const void> memory, size_t bytes) {
+        m_kept.push_back(std::move(memory));
+        m_kept_bytes += bytes;
     }
 
     // Into the lists of all bins that the primitive's rectangle touches, less those an edge shuts out.
@@ -105,7 +110,7 @@ class Frame {
     std::shared_ptr<raster::Target> m_target;
     Arena m_arena;
     std::vector<BinList> m_bins;
-    std::vector<std::shared_ptr<const FragmentBlock>> m_kept;
+    std::vector<std::shared_ptr<const void>> m_kept;
     size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;
     bool m_counts_samples = false;  // some primitive does

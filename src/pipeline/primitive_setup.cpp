@@ -63,6 +63,7 @@ Primitive* PrimitiveSetup::new_primitive(const raster::FragmentState& state, con
     p->back_facing = false;
     p->steep = false;
     p->depth_offset = 0;
+    p->data = raster::RectangleData::kNone;
     return p;
 }
 

@@ -1,6 +1,10 @@
 // The orchestrator; see renderer.h. The walk of a triangle goes on in assemble.cpp.
 #include "pipeline/renderer.h"
 
+#include <algorithm>
+#include <cstring>
+#include <new>
+
 #include "pipeline/assemble.h"
 #include "pipeline/float_environment.h"
 
@@ -15,6 +19,41 @@ void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveM
     if (m_frame.target() == nullptr) return;
     const FloatEnvironment environment;
     PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
+}
+
+void Renderer::draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
+                    const PixelRect& rect) {
+    if (m_frame.target() == nullptr) return;
+    const int32_t x0 = std::max(rect.x0, raster.x0), x1 = std::min(rect.x1, raster.x1);
+    const int32_t y0 = std::max(rect.y0, raster.y0), y1 = std::min(rect.y1, raster.y1);
+    if (x0 >= x1 || y0 >= y1) return;
+    if (m_frame.full()) m_frame.draw();
+    m_frame.keep(fragment);
+    const raster::FragmentState& state = fragment->point;
+    const int plane_count = 2 + state.varyings.count;
+    using raster::Primitive;
+    Primitive* const p = new (m_frame.arena().allocate(Primitive::size_of(plane_count))) Primitive;
+    p->state = &state;
+    p->x0 = static_cast<int16_t>(x0), p->x1 = static_cast<int16_t>(x1);
+    p->y0 = static_cast<int16_t>(y0), p->y1 = static_cast<int16_t>(y1);
+    p->edge_count = 0;
+    p->plane_count = static_cast<uint8_t>(plane_count);
+    p->back_facing = p->steep = false;
+    p->depth_offset = 0;
+    p->data = rect.data;
+    p->tile_data = rect.tile_data;
+    if (rect.owner) {
+        m_frame.keep(rect.owner, rect.data_bytes);
+    } else if (rect.data != raster::RectangleData::kNone) {
+        p->tile_data.tiles =
+            std::memcpy(m_frame.arena().allocate(rect.data_bytes), rect.tile_data.tiles, rect.data_bytes);
+    }
+    float* const planes = p->planes();
+    std::fill_n(planes, 3 * plane_count, 0.0f);
+    planes[0] = rect.z;
+    planes[1] = 1;
+    std::copy_n(rect.varyings.begin(), state.varyings.count, planes + 2);
+    m_frame.add(*p);
 }
 
 void Renderer::clear(const raster::BinClear& clear) {

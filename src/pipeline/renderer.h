@@ -5,6 +5,7 @@
 // then.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -60,6 +61,18 @@ struct VertexRange {
     bool is_continued = false;
 };
 
+// A rectangle of pixels that share their varyings, as bitmaps and pixel rectangles are (GL 1.5 §3.6.4, §3.7).
+struct PixelRect {
+    int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // in raster rows, x1 and y1 exclusive; may leave the target
+    float z = 0;
+    std::array<float, raster::kMaxPlanes> varyings{};  // in the order of raster::Varyings
+    raster::RectangleData data = raster::RectangleData::kNone;
+    raster::TileData tile_data{};
+    size_t data_bytes = 0;
+    // Keeps the tiles; null: they are copied.
+    std::shared_ptr<const void> owner;
+};
+
 class Renderer {
   public:
     // Draws from now on go to `target`; queued ones are finished first. Null releases it.
@@ -69,6 +82,9 @@ class Renderer {
     // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws
     // std::bad_alloc, and what was queued stays good. Draws the frame early whenever it has grown full.
     void draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode, const VertexRange& range);
+    // Queues a rectangle of pixels with the fragment state of points. Throws std::bad_alloc.
+    void draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
+              const PixelRect& rect);
     // Queues a clear.
     void clear(const raster::BinClear& clear);
     // Draws everything that is queued.

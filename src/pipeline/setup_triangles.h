@@ -123,6 +123,7 @@ TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTr
     primitive->plane_count = static_cast<uint8_t>(plane_count);
     primitive->back_facing = back_facing;
     primitive->steep = steep;
+    primitive->data = raster::RectangleData::kNone;
     primitive->depth_offset = t.offset[lane];
     for (int e = 0; e < 3; ++e) {
         const int next = e == 2 ? 0 : e + 1;

@@ -24,13 +24,13 @@ TERRAZZO_INLINE float depth_maximum(int depth_bits) {
 
 // Whether a fragment that lies behind all of a tile leaves no trace.
 TERRAZZO_INLINE bool discards_hidden(const FragmentKey& key) {
-    return key.depth_test && !key.stencil_test &&
+    return key.depth_test && !key.stencil_test && key.image != PixelImage::kDepth &&
            (key.depth_func == Compare::kLess || key.depth_func == Compare::kLessEqual);
 }
 // Whether each fragment of such a state leaves its pixel's depth at most its own.
 TERRAZZO_INLINE bool hides_what_follows(const FragmentKey& key) {
     return key.depth_write && key.alpha_func == Compare::kAlways && !key.polygon_stipple &&
-           key.coverage == Coverage::kNone;
+           key.coverage == Coverage::kNone && key.image != PixelImage::kDepth;
 }
 // Whether a fragment may leave a depth that is farther than the one before.
 TERRAZZO_INLINE bool raises_depth(const FragmentKey& key) {
@@ -43,7 +43,7 @@ class BlockDepths {
     TERRAZZO_INLINE BlockDepths(const Primitive& primitive, const Bin& bin)
         : m_dadx(primitive.dadx()[0]), m_dady(primitive.dady()[0]), m_bounds(bin.farthest) {
         const FragmentKey& key = primitive.state->key;
-        m_lowers = hides_what_follows(key);
+        m_lowers = hides_what_follows(key) && primitive.data != RectangleData::kMasks;
         const float a0 = primitive.a0()[0], offset = key.depth_offset ? primitive.depth_offset : 0.0f;
         const float x = static_cast<float>(bin.x), y = static_cast<float>(bin.y);
         // Eight times what the sums here and the fragments' own can err, and two steps of the buffer for its

@@ -6,6 +6,22 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 namespace {
 
+// Stencil values on their way past all fragment operations (GL 1.5 §3.6.4).
+void stencil_image_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin,
+                          const TileList& list) {
+    const I32x16 writable(state.stencil[0].write_mask);
+    Interpolator at(primitive, false);
+    for (int i = 0; i < list.count; ++i) {
+        const int tile = list.entries[i].tile;
+        at.move_to(bin.x + tile % kTilesAcross * kTileSize, bin.y + tile / kTilesAcross * kTileSize);
+        uint8_t* const stencil = bin.stencil + tile * kTilePixels;
+        const I32x16 old = load_bytes(stencil);
+        const I32x16 value =
+            (load_bytes(at.image_tile<uint8_t, 16>(primitive)) & writable) | (old & (writable ^ I32x16(255)));
+        store_bytes(select(mask_from_bits(list.entries[i].mask), value, old), stencil);
+    }
+}
+
 void general_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin, const TileList& list) {
     shade_tiles(RuntimeKey{state.key}, state, primitive, bin, list);
 }
@@ -37,6 +53,13 @@ struct Specialised {
 template <FragmentKey kKey>
 constexpr Specialised specialise() {
     return {kKey, specialised_kernel<kKey>};
+}
+
+// Images that are copied, and such with an alpha channel.
+constexpr FragmentKey image_key(PixelImage image, BlendKind blend) {
+    FragmentKey key = hot_key(false, Compare::kLess, false, false, TextureKind::kNone, blend);
+    key.image = image;
+    return key;
 }
 
 constexpr auto kBilinear = TextureKind::kModulateBilinearRgba8;
@@ -72,10 +95,13 @@ constexpr Specialised kSpecialised[] = {
     specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone, BlendKind::kAlpha)>(),
     specialise<hot_key(true, Compare::kLess, true, true, kBilinear, BlendKind::kAlpha)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear, BlendKind::kAlpha)>(),
+    specialise<image_key(PixelImage::kVerbatim, BlendKind::kNone)>(),
+    specialise<image_key(PixelImage::kRgba8, BlendKind::kAlpha)>(),
 #endif
 };
 
 TileKernel select_kernel(const FragmentKey& key) {
+    if (key.image == PixelImage::kStencil) return stencil_image_kernel;
     FragmentKey wanted = key;
     if (!key.depth_test) wanted.depth_func = Compare::kLess, wanted.depth_write = false;
     for (const Specialised& s : kSpecialised)
@@ -84,8 +110,8 @@ TileKernel select_kernel(const FragmentKey& key) {
 }
 #else
 // Without vector instructions the general kernel's branches cost next to nothing beside its arithmetic.
-TileKernel select_kernel(const FragmentKey&) {
-    return general_kernel;
+TileKernel select_kernel(const FragmentKey& key) {
+    return key.image == PixelImage::kStencil ? stencil_image_kernel : general_kernel;
 }
 #endif
 
@@ -94,11 +120,28 @@ void fill(uint32_t* to, uint32_t value, size_t count) {
     for (size_t i = 0; i < count; i += 16) store(wide, to + i);
 }
 
+// Takes the pixels from the list that a rectangle's masks leave out.
+TERRAZZO_NOINLINE void apply_masks(const TileData& data, const Bin& bin, TileList& list) {
+    const auto* const masks = static_cast<const uint16_t*>(data.tiles);
+    const int first_column = bin.x / kTileSize, first_row = bin.y / kTileSize;
+    int kept = 0;
+    for (int i = 0; i < list.count; ++i) {
+        const TileList::Entry& entry = list.entries[i];
+        const int column = first_column + entry.tile % kTilesAcross,
+                  row = first_row + entry.tile / kTilesAcross;
+        const auto mask = static_cast<uint16_t>(entry.mask & masks[data.index(column, row)]);
+        list.entries[kept] = {entry.tile, mask};
+        kept += mask != 0;
+    }
+    list.count = kept;
+}
+
 void draw_primitive(const Primitive& primitive, Bin& bin) {
     TileList list;
     switch (primitive.edge_count) {
         case 0:
             cover_bin<0>(primitive, bin, list);
+            if (primitive.data == RectangleData::kMasks) apply_masks(primitive.tile_data, bin, list);
             break;
         case 3:
             cover_bin<3>(primitive, bin, list);

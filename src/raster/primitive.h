@@ -34,6 +34,25 @@ struct Edge {
     }
 };
 
+// What a rectangle carries for each of its pixels, tile by tile as the target has them: bits that say which
+// pixels there are, or colours, depths, stencil values.
+struct TileData {
+    const void* tiles;
+    int32_t first_column, first_row;  // of the first tile, counted in the target
+    int32_t across;                   // tiles from one row of them to the next
+
+    [[gnu::always_inline]] size_t index(int column, int row) const {
+        return static_cast<size_t>(row - first_row) * static_cast<size_t>(across) +
+               static_cast<size_t>(column - first_column);
+    }
+};
+
+enum class RectangleData : uint32_t {
+    kNone,
+    kMasks,   // 16 bits a tile: the pixels that there are
+    kPixels,  // what FragmentKey::image says
+};
+
 struct Primitive {
     const FragmentState* state;
     int16_t x0, y0, x1, y1;  // pixels, x1 and y1 exclusive; already clipped to the scissor and the target
@@ -42,8 +61,11 @@ struct Primitive {
     bool back_facing;
     bool steep;  // planes so steep that their rounding shows: interpolated as exactly as the reference does
     float depth_offset;  // added to z of each fragment where the key says so
-    uint32_t reserved2;
-    Edge edges[4];
+    RectangleData data;  // other than kNone only where edge_count is 0
+    union {
+        Edge edges[4];
+        TileData tile_data;
+    };
 
     const float* a0() const { return reinterpret_cast<const float*>(this + 1); }
     const float* dadx() const { return a0() + plane_count; }

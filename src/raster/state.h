@@ -167,6 +167,16 @@ enum class BlendKind : uint8_t {
 // Smooth lines and points carry coverage varyings that multiply alpha: pixel/coverage.h.
 enum class Coverage : uint8_t { kNone, kLine, kPoint };
 
+// What a rectangle's TileData is to its fragments (GL 1.5 §3.6.4).
+enum class PixelImage : uint8_t {
+    kNone,
+    kRgba8,     // 16 words a tile in place of the primary colour
+    kRgba32F,   // 4 times 16 floats a tile, the same
+    kDepth,     // 16 words a tile in the buffer's format, in place of interpolated depth
+    kStencil,   // 16 bytes a tile: they go to the stencil buffer through its mask, and nothing else happens
+    kVerbatim,  // kRgba8 where nothing is between the image and the buffer
+};
+
 // Every choice that selects code. A structural type, so that a constant one can be a template argument.
 struct FragmentKey {
     ColorFormat color_format = ColorFormat::kRgba8;
@@ -188,6 +198,7 @@ struct FragmentKey {
     bool separate_specular = false;  // a secondary colour is added after texturing
     bool counts_samples = false;     // FragmentState::samples_passed
     TextureKind texture = TextureKind::kNone;
+    PixelImage image = PixelImage::kNone;
 
     friend constexpr bool operator==(const FragmentKey&, const FragmentKey&) = default;
 };

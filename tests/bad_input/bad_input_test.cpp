@@ -117,10 +117,10 @@ bool can_refuse(const Call& call) {
 // Pointers that may be null: no image, no array, nothing to draw or to write to.
 bool may_be_null(const std::string& name, std::size_t argument) {
     const bool array = name.find("Pointer") != std::string::npos && name.find("Get") == std::string::npos;
-    return array || name == "glInterleavedArrays" || name == "glGetTexImage" || name == "glReadPixels" ||
-           name.starts_with("glBufferData") || name.starts_with("glTexImage") ||
-           name.starts_with("glTexSubImage") || name.starts_with("glDrawElements") ||
-           name.starts_with("glDrawRangeElements") ||
+    return array || name == "glInterleavedArrays" || name == "glBitmap" || name == "glDrawPixels" ||
+           name == "glGetTexImage" || name == "glReadPixels" || name.starts_with("glBufferData") ||
+           name.starts_with("glTexImage") || name.starts_with("glTexSubImage") ||
+           name.starts_with("glDrawElements") || name.starts_with("glDrawRangeElements") ||
            (name.starts_with("glMultiDrawElements") && argument == 3);
 }
 

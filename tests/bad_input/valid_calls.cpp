@@ -108,6 +108,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glPolygonMode", {GL_FRONT, GL_LINE}},
         {"glPolygonStipple", {in}},
         {"glPrioritizeTextures(EXT)?", {1, in, in}},
+        {"glBitmap", {2, 2, 0.0, 0.0, 1.0, 1.0, in}},
         {"glRasterPos[234][dfis]v", {in}},
         {"glReadBuffer", {GL_FRONT}},
         {"glReadPixels", {0, 0, 2, 2, GL_RGBA, GL_FLOAT, out}},

@@ -46,7 +46,8 @@ def execute_header(policy):
         command = member.command
         if member.kind != "core":
             continue
-        call = f"{command.snake}(ctx{''.join(f', {p.name}' for p in command.parameters)})"
+        # Qualified: a parameter may have the function's name.
+        call = f"gl::{command.snake}(ctx{''.join(f', {p.name}' for p in command.parameters)})"
         body = call if policy.inlined(command) else f"return guarded(ctx, [&] {{ return {call}; }})"
         lines.append(f"    static {command.result} {command.short}(Context& ctx{named_parameters(command)}) "
                      f"{{ {body}; }}")

@@ -61,7 +61,8 @@ TERRAZZO_NOINLINE void update_stencil(StencilOp op, I32x16 old, const StencilFac
     if (op == StencilOp::kKeep || mask == 0) return;
     const I32x16 writable(face.write_mask);
     const I32x16 value = (apply(op, old, face) & writable) | (old & (writable ^ I32x16(255)));
-    store_bytes(select(mask_from_bits(mask), value, old), to);
+    // What others of the tile's pixels have become meanwhile stays.
+    store_bytes(select(mask_from_bits(mask), value, load_bytes(to)), to);
 }
 
 // Returns the bits of `mask` whose fragments pass both tests.
@@ -83,9 +84,14 @@ TERRAZZO_INLINE uint32_t depth_stencil_test(Key key, const FragmentState& state,
         if (mask == 0) return 0;
     }
     if (k.depth_test) {
-        F32x16 z = at.depth();
-        if (k.depth_offset) z = z + F32x16(primitive.depth_offset);
-        const I32x16 depth = quantize_depth(z, depth_bits);
+        I32x16 depth(0);
+        if (k.image == PixelImage::kDepth) {
+            depth = load(at.image_tile<uint32_t, 16>(primitive));
+        } else {
+            F32x16 z = at.depth();
+            if (k.depth_offset) z = z + F32x16(primitive.depth_offset);
+            depth = quantize_depth(z, depth_bits);
+        }
         uint32_t* const stored = bin.depth + tile * kTilePixels;
         const uint32_t pass = bits_of(compare(k.depth_func, depth, load(stored))) & mask;
         if (k.stencil_test) update_stencil(face.depth_fail, old_stencil, face, mask & ~pass, stencil);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "raster/primitive.h"
+#include "raster/target.h"
 #include "simd/wide.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
@@ -54,6 +55,8 @@ class Interpolator {
         : m_steep(steep), m_a0(primitive.a0()), m_dadx(primitive.dadx()), m_dady(primitive.dady()) {}
 
     TERRAZZO_INLINE void move_to(int x, int y) {
+        m_column = x / kTileSize;
+        m_row = y / kTileSize;
         m_x = to_float(lane_x() + I32x16(x));
         m_y = to_float(lane_y() + I32x16(y));
     }
@@ -68,6 +71,12 @@ class Interpolator {
     TERRAZZO_INLINE F32x16 varying(int index) const { return plane(2 + index); }
     // One that is the same at every pixel.
     TERRAZZO_INLINE F32x16 constant(int index) const { return F32x16(m_a0[2 + index]); }
+    // The tile's part of a rectangle's data, `kElements` elements a tile.
+    template <class Element, int kElements>
+    TERRAZZO_INLINE const Element* image_tile(const Primitive& primitive) const {
+        const TileData& data = primitive.tile_data;
+        return static_cast<const Element*>(data.tiles) + kElements * data.index(m_column, m_row);
+    }
     // w() and varying(), rounded as the reference rounds them.
     TERRAZZO_INLINE F32x16 exact_w() const { return F32x16(1.0f) / exact(1); }
     TERRAZZO_INLINE F32x16 exact_varying(int index) const { return exact(2 + index); }
@@ -80,6 +89,7 @@ class Interpolator {
     TERRAZZO_NOINLINE F32x16 steep_plane(int index) const { return exact(index); }
 
     bool m_steep;
+    int m_column = 0, m_row = 0;  // of the tile in the target
     const float *m_a0, *m_dadx, *m_dady;
     F32x16 m_x, m_y;
 };

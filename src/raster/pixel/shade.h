@@ -66,7 +66,13 @@ struct SharedByTiles {
 
 template <class Key>
 TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const SharedByTiles& shared,
-                                    const Interpolator& at, F32x16 w) {
+                                    const Primitive& primitive, const Interpolator& at, F32x16 w) {
+    if (key.value.image == PixelImage::kRgba8)
+        return from_color8(unpack_rgba8(load(at.image_tile<uint32_t, 16>(primitive))));
+    if (key.value.image == PixelImage::kRgba32F) {
+        const float* const channels = at.image_tile<float, 64>(primitive);
+        return {load(channels), load(channels + 16), load(channels + 32), load(channels + 48)};
+    }
     if (!key.value.interpolated_color) return shared.constant_color;
     const int first = state.varyings.color;
     if (key.value.flat_color)
@@ -108,10 +114,10 @@ TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpo
 
 template <class Key>
 TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const SharedByTiles& shared,
-                                     const Interpolator& at, uint32_t& mask) {
+                                     const Primitive& primitive, const Interpolator& at, uint32_t& mask) {
     const FragmentKey& k = key.value;
     const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
-    Color color = primary_color(key, state, shared, at, w);
+    Color color = primary_color(key, state, shared, primitive, at, w);
     if (k.texture == TextureKind::kModulateBilinearRgba8) color = modulate_bilinear(shared, at, w, color);
     if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, color, mask);
     if (k.separate_specular) {
@@ -160,7 +166,11 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
             write_packed_rgba8(join_pairs(bilinear_texel(shared, at, w)), mask, bin, tile);
             continue;
         }
-        const Color color = shade_fragment(key, state, shared, at, mask);
+        if (k.image == PixelImage::kVerbatim) {
+            write_packed_rgba8(load(at.image_tile<uint32_t, 16>(primitive)), mask, bin, tile);
+            continue;
+        }
+        const Color color = shade_fragment(key, state, shared, primitive, at, mask);
         if (!early) {
             mask &= bits_of(alpha_test(k.alpha_func, state, k.color_format, color.a));
             if (mask == 0) continue;

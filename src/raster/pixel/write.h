@@ -36,8 +36,8 @@ TERRAZZO_INLINE void store_pixels(I32x16 packed, uint32_t mask, uint32_t* pixels
 template <class Key>
 TERRAZZO_INLINE bool is_bounded(Key key) {
     const FragmentKey& k = key.value;
-    return !k.interpolated_color && !k.separate_specular && k.fog == FogMode::kNone &&
-           k.texture != TextureKind::kGeneral;
+    return !k.interpolated_color && k.image != PixelImage::kRgba32F && !k.separate_specular &&
+           k.fog == FogMode::kNone && k.texture != TextureKind::kGeneral;
 }
 
 template <class Key>

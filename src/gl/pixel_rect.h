@@ -1,0 +1,21 @@
+// Rectangles of pixels at the current raster position, on their way to the pipeline: what Bitmap, DrawPixels
+// and CopyPixels have in common (GL 1.5 §3.6.4, §3.7).
+#pragma once
+
+#include "pipeline/renderer.h"
+
+namespace terrazzo::gl {
+
+struct Context;
+
+// Queues `rect`, whose pixels and data are filled in, with the depth, colours, texture coordinates and fog
+// distance of the current raster position. Throws std::bad_alloc.
+void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect& rect);
+
+// Sets where the rectangle's tiles are and returns how many there are.
+std::size_t lay_out_tiles(pipeline::PixelRect& rect);
+
+// Row of the target that shows row `y` of the window.
+int target_row(const Context& ctx, int y);
+
+}  // namespace terrazzo::gl
