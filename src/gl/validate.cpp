@@ -331,9 +331,8 @@ raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_
 }
 
 // The one-unit case that has kernels of its own.
-bool is_plain_bilinear(const raster::FragmentState& state, const std::vector<raster::TextureStage>& stages,
-                       unsigned projective) {
-    if (stages.size() != 1 || projective != 0 || !state.key.perspective) return false;
+bool is_plain_bilinear(const std::vector<raster::TextureStage>& stages, unsigned projective) {
+    if (stages.size() != 1 || projective != 0) return false;
     const raster::TextureStage& stage = stages[0];
     const raster::Sampler& s = stage.sampler;
     const bool linear = s.mip_filter == raster::MipFilter::kNone && s.min_filter == raster::Filter::kLinear &&
@@ -440,9 +439,9 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
         if (coordinates.used) make_texture_coordinates(ctx, u, coordinates);
     }
     const unsigned projective = ctx.drawing.projective = projective_units(draw.vertex, input);
-    key.texture = block->stages.empty()                                  ? raster::TextureKind::kNone
-                  : !is_plain_bilinear(state, block->stages, projective) ? raster::TextureKind::kGeneral
-                  : shows_texel(state)                                   ? raster::TextureKind::kBilinearRgba8
+    key.texture = block->stages.empty()                           ? raster::TextureKind::kNone
+                  : !is_plain_bilinear(block->stages, projective) ? raster::TextureKind::kGeneral
+                  : shows_texel(state)                            ? raster::TextureKind::kBilinearRgba8
                                        : raster::TextureKind::kModulateBilinearRgba8;
     state.varyings = lay_out_varyings(key, used, projective);
     block->complete(ctx.rasterization.line.smooth, ctx.rasterization.point.smooth);

@@ -25,9 +25,9 @@ void weigh_errors(raster::FragmentState& state) {
         const raster::TextureStage& stage = state.textures[i];
         const raster::MipLevel& level = stage.sampler.levels[0];
         const auto first = static_cast<size_t>(v.texture[stage.unit]);
-        // Neighbouring texels seldom differ by more than an eighth of the range. General sampling has exact
-        // coordinates in any case.
-        const bool exact = state.key.texture == raster::TextureKind::kGeneral;
+        // Neighbouring texels seldom differ by more than an eighth of the range. General sampling and
+        // pictures without perspective have exact coordinates in any case.
+        const bool exact = state.key.texture == raster::TextureKind::kGeneral || !state.key.perspective;
         weights[first] = exact ? 0.0f : static_cast<float>(level.width) / 8;
         weights[first + 1] = exact ? 0.0f : static_cast<float>(level.height) / 8;
         if (v.projective >> stage.unit & 1) weights[first + 2] = weights[first + 3] = 0.0f;

@@ -82,13 +82,21 @@ TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const S
     return c;
 }
 
-TERRAZZO_INLINE TexelPairs bilinear_texel(const SharedByTiles& shared, const Interpolator& at, F32x16 w) {
+// Without perspective pictures are often as large as their textures, and a rounding error of a coordinate
+// would show.
+template <class Key>
+TERRAZZO_INLINE TexelPairs bilinear_texel(Key key, const SharedByTiles& shared, const Interpolator& at,
+                                          F32x16 w) {
+    if (!key.value.perspective)
+        return shared.texture.at(at.exact_varying(shared.coordinates),
+                                 at.exact_varying(shared.coordinates + 1));
     return shared.texture.at(at.varying(shared.coordinates) * w, at.varying(shared.coordinates + 1) * w);
 }
 
-TERRAZZO_INLINE Color modulate_bilinear(const SharedByTiles& shared, const Interpolator& at, F32x16 w,
-                                        const Color& f) {
-    const Color t = from_color8(to_color8(bilinear_texel(shared, at, w)));
+template <class Key>
+TERRAZZO_INLINE Color modulate_bilinear(Key key, const SharedByTiles& shared, const Interpolator& at,
+                                        F32x16 w, const Color& f) {
+    const Color t = from_color8(to_color8(bilinear_texel(key, shared, at, w)));
     return {f.r * t.r, f.g * t.g, f.b * t.b, shared.opaque ? f.a : f.a * t.a};
 }
 
@@ -118,7 +126,8 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
     const FragmentKey& k = key.value;
     const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
     Color color = primary_color(key, state, shared, primitive, at, w);
-    if (k.texture == TextureKind::kModulateBilinearRgba8) color = modulate_bilinear(shared, at, w, color);
+    if (k.texture == TextureKind::kModulateBilinearRgba8)
+        color = modulate_bilinear(key, shared, at, w, color);
     if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, color, mask);
     if (k.separate_specular) {
         const int first = state.varyings.secondary;
@@ -163,7 +172,7 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
         if (early && k.color_mask == 0) continue;
         if (k.texture == TextureKind::kBilinearRgba8) {
             const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
-            write_packed_rgba8(join_pairs(bilinear_texel(shared, at, w)), mask, bin, tile);
+            write_packed_rgba8(join_pairs(bilinear_texel(key, shared, at, w)), mask, bin, tile);
             continue;
         }
         if (k.image == PixelImage::kVerbatim) {
