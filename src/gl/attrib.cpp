@@ -249,6 +249,12 @@ void pop_attrib(Context& ctx) {
     ctx.attrib.server.pop_back();
 }
 
+void copy_attributes(Context& from, Context& to, GLbitfield mask) {
+    const auto saved = save(from, mask);
+    begin_change(to, Dirty::kAll);
+    restore(to, *saved);
+}
+
 void push_client_attrib(Context& ctx, GLbitfield mask) {
     if (ctx.attrib.client.size() == kMaxClientAttribDepth) {
         return record_error(ctx, GL_STACK_OVERFLOW, "the client attribute stack is full");

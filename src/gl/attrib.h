@@ -3,11 +3,14 @@
 // Entries are made and applied in attrib.cpp only, which knows all chapters; here they are opaque.
 #pragma once
 
+#include <GL/gl.h>
+
 #include <memory>
 #include <vector>
 
 namespace terrazzo::gl {
 
+struct Context;
 struct SavedAttributes;
 struct SavedClientAttributes;
 
@@ -16,5 +19,9 @@ struct AttribState {
     std::vector<std::shared_ptr<const SavedAttributes>> server;
     std::vector<std::shared_ptr<const SavedClientAttributes>> client;
 };
+
+// Gives one context the groups of attributes that another has (glXCopyContext). Neither is current elsewhere. Throws
+// std::bad_alloc.
+void copy_attributes(Context& from, Context& to, GLbitfield mask);
 
 }  // namespace terrazzo::gl

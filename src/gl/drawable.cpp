@@ -2,6 +2,10 @@
 // most programs never touch the front.
 #include "gl/drawable.h"
 
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
 namespace terrazzo::gl {
 
 void Drawable::allocate(int width, int height, const raster::TargetFormat& format) {
@@ -26,6 +30,37 @@ void Drawable::select(ColorBuffer buffer) {
 void Drawable::swap_pixels() {
     if (!is_double_buffered() || !m_target || !m_has_front) return;
     m_target->exchange_color();
+}
+
+void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
+                  std::ptrdiff_t stride) {
+    const ColorBuffer selected = drawable.selected();
+    drawable.select(buffer);
+    raster::Target& target = *drawable.target();
+    std::byte* const top_row = bottom_row + (drawable.height() - 1) * stride;
+    for (int bin = 0; bin < target.bin_count(); ++bin)
+        pipeline::resolve_bin(target, bin, layout, top_row, -stride);
+    drawable.select(selected);
+}
+
+void load_picture(Drawable& drawable, pipeline::PixelLayout layout, const std::byte* top_row,
+                  std::ptrdiff_t stride) {
+    raster::Target& target = *drawable.target();
+    const std::ptrdiff_t bytes = pipeline::bytes_per_pixel(layout);
+    for (int i = 0; i < target.bin_count(); ++i) {
+        target.materialize(i);
+        const raster::Bin bin = target.bin(i);
+        const int width = std::min(raster::kBinSize, target.width() - bin.x);
+        const int height = std::min(raster::kBinSize, target.height() - bin.y);
+        for (int y = 0; y < height; ++y) {
+            const std::byte* in = top_row + (bin.y + y) * stride + bin.x * bytes;
+            for (int x = 0; x < width; ++x, in += bytes) {
+                std::byte* const out = bin.color + raster::pixel_index(x, y) * bytes;
+                std::memcpy(out, in, static_cast<std::size_t>(bytes));
+                if (layout == pipeline::PixelLayout::kBgra8) std::swap(out[0], out[2]);
+            }
+        }
+    }
 }
 
 }  // namespace terrazzo::gl

@@ -7,8 +7,10 @@
 // has it.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
+#include "pipeline/resolve.h"
 #include "raster/target.h"
 
 namespace terrazzo::gl {
@@ -21,6 +23,12 @@ enum class Buffering {
     kSingle,
     kSingleByEitherName,  // the back buffer is another name of the front buffer, as in OSMesa
     kDouble,
+};
+
+// When a drawable asks its window for its size, which means waiting for the window system.
+enum class Follow {
+    kOncePerPicture,  // unless it has done so since the last picture was shown
+    kNow,
 };
 
 class Drawable {
@@ -53,6 +61,9 @@ class Drawable {
     // undefined.
     void swap_pixels();
 
+    // Takes over the size that the window has now. Called by Viewport when nothing has been drawn since the
+    // last picture was shown: programs call it when their window has changed. Throws std::bad_alloc.
+    virtual void follow_window(Follow) {}
     // The front buffer has been drawn to and is to be seen. Called by Flush and Finish.
     virtual void show_front(Context&) {}
 
@@ -67,5 +78,14 @@ class Drawable {
     ColorBuffer m_selected = ColorBuffer::kFront;
     bool m_has_front = false;
 };
+
+// Copies a colour buffer out as it is, without what contexts have queued for it, and in; `bottom_row` and
+// `top_row` are where the lowest and the highest row lie. Throws std::bad_alloc only if a front buffer's
+// pixels are asked for that are not there yet.
+void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
+                  std::ptrdiff_t stride);
+// Into the selected buffer; layouts kRgba8, kBgra8 and kRgb565.
+void load_picture(Drawable& drawable, pipeline::PixelLayout layout, const std::byte* top_row,
+                  std::ptrdiff_t stride);
 
 }  // namespace terrazzo::gl

@@ -64,6 +64,10 @@ void viewport(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
     width = std::min(width, kMaxViewportSize);
     height = std::min(height, kMaxViewportSize);
     if (x == viewport.x && y == viewport.y && width == viewport.width && height == viewport.height) return;
+    if (ctx.surface.draw && !ctx.surface.drawn) {
+        ctx.surface.draw->follow_window(Follow::kOncePerPicture);
+        follow_drawables(ctx);
+    }
     begin_change(ctx, Dirty::kTransform);
     viewport.x = x;
     viewport.y = y;

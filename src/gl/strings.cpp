@@ -5,16 +5,18 @@
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/generated/dispatch.h"
+#include "gl/strings.h"
 #include "pipeline/workers.h"
 #include "raster/kernel_table.h"
 
 namespace terrazzo::gl {
-namespace {
 
-constexpr const char* kVendor = "Terrazzo";
+const char* vendor_string() {
+    return "Terrazzo";
+}
 
 // Users measure and report with this string: it says what ran.
-const char* renderer() {
+const char* renderer_string() {
     static const std::string text = [] {
         const int threads = pipeline::thread_count();
         return std::string("Terrazzo (") + simd::isa_name(raster::kernels().isa) + ", " +
@@ -22,6 +24,8 @@ const char* renderer() {
     }();
     return text.c_str();
 }
+
+namespace {
 
 const char* version() {
     static const std::string text = std::string(kGlVersion) + " Terrazzo " TERRAZZO_VERSION;
@@ -31,9 +35,9 @@ const char* version() {
 const char* find_string(GLenum name) {
     switch (name) {
         case GL_VENDOR:
-            return kVendor;
+            return vendor_string();
         case GL_RENDERER:
-            return renderer();
+            return renderer_string();
         case GL_VERSION:
             return version();
         case GL_EXTENSIONS:

@@ -13,7 +13,7 @@ const std::vector<ValidCall>& valid_calls() {
     static const std::vector<ValidCall> calls = {
         {"gl(Client)?ActiveTexture(ARB)?", {GL_TEXTURE3}},
         {"glAlphaFunc", {GL_LESS, 0.5}},
-        {"glAreTexturesResident", {1, Names{}, out}},
+        {"glAreTexturesResident(EXT)?", {1, Names{}, out}},
         {"glBegin", {GL_TRIANGLES}},
         {"glBindTexture(EXT)?", {GL_TEXTURE_2D, 1}},
         {"glBlendEquation(EXT)?", {GL_MIN}},
@@ -76,10 +76,10 @@ const std::vector<ValidCall>& valid_calls() {
         {"glGetLight[fi]v", {GL_LIGHT0, GL_DIFFUSE, out}},
         {"glGetMaterial[fi]v", {GL_FRONT, GL_DIFFUSE, out}},
         {"glGetPixelMap(f|ui|us)v", {GL_PIXEL_MAP_I_TO_R, out}},
-        {"glGetPointerv(EXT)?", {GL_VERTEX_ARRAY_POINTER, out}},
+        {"glGetPointerv(EXT|KHR)?", {GL_VERTEX_ARRAY_POINTER, out}},
         {"glGetPolygonStipple", {out}},
         {"glGetQueryiv(ARB)?", {GL_SAMPLES_PASSED, GL_CURRENT_QUERY, out}},
-        {"glGetQueryObjectu?iv(ARB)?", {1, GL_QUERY_RESULT, out}},
+        {"glGetQueryObjectu?iv(ARB|EXT)?", {1, GL_QUERY_RESULT, out}},
         {"glGetString", {GL_VENDOR}},
         {"glGetTexEnv[fi]v", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, out}},
         {"glGetTexGen[dfi]v", {GL_S, GL_EYE_PLANE, out}},
@@ -129,7 +129,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glTexSubImage2D(EXT)?", {GL_TEXTURE_2D, 0, 0, 0, 2, 2, GL_RGBA, GL_FLOAT, in}},
         {"glUnmapBuffer(ARB)?", {GL_ARRAY_BUFFER}},
         {"glViewport", {0, 0, 1, 1}},
-        {"glWindowPos[23][dfis]v(ARB)?", {in}},
+        {"glWindowPos[23][dfis]v(ARB|MESA)?", {in}},
     };
     return calls;
 }

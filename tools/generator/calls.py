@@ -63,7 +63,7 @@ def row(policy, name):
 
 
 def calls_header(policy):
-    names = [n for n in policy.exports if n.startswith("gl")]
+    names = policy.entry_names()
     prototypes = []
     for name in names:
         command = policy.registry.commands[name]

@@ -111,7 +111,7 @@ def entry(policy, name):
 
 
 def entries_source(policy):
-    names = [n for n in policy.exports if n.startswith("gl")]
+    names = policy.entry_names()
     lines = [BANNER, '#include "gl/current.h"\n#include "gl/entry.h"\n#include "gl/generated/dispatch.h"\n',
              "using terrazzo::gl::current;\nusing terrazzo::gl::not_implemented;\n"]
     lines += [entry(policy, name) for name in names]
@@ -122,12 +122,34 @@ def entries_source(policy):
     return "\n".join(lines) + "\n"
 
 
+def more_entries_source(policy, window_system_names):
+    """Entries of libGL's and libEGL's other names: their parameters do not matter, for they do nothing but say so.
+
+    They are weak: the window system's functions that there are take their place in the link.
+    """
+    entries = set(policy.entry_names())
+    names = [n for n in [*policy.more_exports, *window_system_names] if n not in entries]
+    lines = [BANNER, '#include "gl/debug_log.h"\n#include "gl/entry.h"\n',
+             "using terrazzo::gl::debug_log;\nusing terrazzo::gl::not_implemented;\n"]
+    for name in names:
+        # The window system's calls leave no error in a context.
+        is_gl = name.startswith("gl") and not name.startswith("glX")
+        body = f'not_implemented("{name}")' if is_gl else f'debug_log("{name}", "not implemented")'
+        lines.append(f'extern "C" TERRAZZO_EXPORT __attribute__((weak)) long {name}() {{\n    {body};\n    return 0;\n}}\n')
+    return "\n".join(lines)
+
+
 def version_script(exports):
     names = "".join(f"    {name};\n" for name in sorted(exports))
     return f"{{\nglobal:\n{names}local:\n    *;\n}};\n"
 
 
-def outputs(policy):
+# Where libglvnd enters vendor libraries.
+VENDOR_EXPORTS = ["__egl_Main", "__glx_Main"]
+
+
+def outputs(policy, libegl_exports=()):
+    windows_exports = [*policy.more_exports, *libegl_exports, *VENDOR_EXPORTS]
     return {
         "commands.h": commands_header(policy),
         "dispatch.h": dispatch_header(policy),
@@ -136,5 +158,7 @@ def outputs(policy):
         "execute_tables.cpp": execute_tables(policy),
         "compile_table.cpp": compile_table(policy),
         "entries.cpp": entries_source(policy),
+        "more_entries.cpp": more_entries_source(policy, libegl_exports),
         "osmesa.map": version_script(policy.exports),
+        "windows.map": version_script(windows_exports),
     }

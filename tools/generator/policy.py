@@ -24,11 +24,14 @@ class Member:
 
 
 class Policy:
-    def __init__(self, path, registry, exports):
+    """`exports` are the names of the smallest library, OSMesa; `more_exports` those that larger ones have."""
+
+    def __init__(self, path, registry, exports, more_exports=()):
         with open(path, "rb") as file:
             data = tomllib.load(file)
         self.registry = registry
         self.exports = exports
+        self.more_exports = more_exports
         self.rules = data["rules"]
         self.parameters = data["parameters"]
         self.aliases = data["aliases"]
@@ -58,8 +61,22 @@ class Policy:
                     members += [Member(self.registry.commands[n], core, kind, options) for n in names]
         return members
 
+    def known_exports(self):
+        """All exported names of GL commands that gl.xml describes, without those of OpenGL ES's extensions and of
+        extensions of single vendors: libGL exports these as well, but they are not offered."""
+        others = re.compile(".*(OES|NV|NVX|APPLE|ANGLE|QCOM|IMG)")
+        exported = set(self.exports)
+        more = [n for n in self.more_exports
+                if n in self.registry.commands and n not in exported and not others.fullmatch(n)]
+        return sorted([n for n in self.exports if n.startswith("gl")] + more)
+
+    def entry_names(self):
+        """The names that every library has an entry for: those of OSMesa, and all that is implemented."""
+        exported = set(self.exports)
+        return [n for n in self.known_exports() if n in exported or self.target(n)]
+
     def form_names(self, core_name, pattern):
-        names = [n for n in self.exports if re.fullmatch(pattern, n) and n != core_name]
+        names = [n for n in self.known_exports() if re.fullmatch(pattern, n) and n != core_name]
         if not names:
             raise PolicyError(f"no exported command matches {pattern}, the forms of {core_name}")
         return names

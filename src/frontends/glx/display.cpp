@@ -1,0 +1,168 @@
+// See display.h.
+#include "frontends/glx/display.h"
+#include "frontends/glx/protocol.h"
+
+#include <GL/glx.h>
+#include <X11/Xlib-xcb.h>
+#include <X11/Xlibint.h>
+#undef min
+#undef max
+
+#include <algorithm>
+
+namespace terrazzo::glx {
+
+Registry& registry() {
+    // Never destroyed: programs call GLX from their own destructors.
+    static Registry& the_registry = *new Registry;
+    return the_registry;
+}
+
+std::shared_ptr<DisplayState> Registry::display(::Display* display) {
+    const std::lock_guard lock(m_mutex);
+    if (const auto known = m_displays.find(display); known != m_displays.end()) return known->second;
+    auto state = std::make_shared<DisplayState>();
+    state->display = display;
+    state->connection = x11::inspect(XGetXCBConnection(display));
+    int first_id = 1;
+    for (std::size_t s = 0; s < state->connection.screens.size(); ++s) {
+        state->configs.push_back(make_configs(state->connection.screens[s], static_cast<int>(s), first_id));
+        first_id += static_cast<int>(state->configs.back().size());
+    }
+    for (const auto& configs : state->configs) {
+        for (const Config& config : configs) state->visual_configs.emplace(config.visual.id, &config);
+    }
+    if (XExtCodes* codes = XAddExtension(display))
+        XESetCloseDisplay(display, codes->extension, &close_display);
+    m_displays.emplace(display, state);
+    return state;
+}
+
+std::shared_ptr<DisplayState> Registry::find_display(::Display* display) {
+    const std::lock_guard lock(m_mutex);
+    const auto known = m_displays.find(display);
+    return known == m_displays.end() ? nullptr : known->second;
+}
+
+// Called by XCloseDisplay.
+int Registry::close_display(::Display* display, XExtCodes*) {
+    registry().forget(display);
+    return 0;
+}
+
+void Registry::forget(::Display* display) {
+    const std::lock_guard lock(m_mutex);
+    const auto known = m_displays.find(display);
+    if (known == m_displays.end()) return;
+    DisplayState& state = *known->second;
+    for (const auto& [name, drawable] : state.drawables) {
+        if (drawable->server) drawable->server->abandon();
+    }
+    state.drawables.clear();
+    state.display = nullptr;
+    state.connection.xcb = nullptr;
+    m_displays.erase(known);
+}
+
+std::shared_ptr<Context> Registry::context(GLXContext handle) {
+    const std::lock_guard lock(m_mutex);
+    const auto known = m_contexts.find(handle);
+    return known == m_contexts.end() ? nullptr : known->second;
+}
+
+GLXContext Registry::add(std::shared_ptr<Context> context) {
+    const std::lock_guard lock(m_mutex);
+    const GLXContext handle = context.get();
+    m_contexts.emplace(handle, std::move(context));
+    return handle;
+}
+
+void Registry::remove(GLXContext handle) {
+    std::shared_ptr<Context> last;  // dies without the lock
+    const std::lock_guard lock(m_mutex);
+    const auto known = m_contexts.find(handle);
+    if (known == m_contexts.end()) return;
+    last = std::move(known->second);
+    m_contexts.erase(known);
+}
+
+std::shared_ptr<Drawable> Registry::drawable(DisplayState& display, GLXDrawable name) {
+    const std::lock_guard lock(m_mutex);
+    const auto known = display.drawables.find(name);
+    return known == display.drawables.end() ? nullptr : known->second;
+}
+
+void Registry::add(DisplayState& display, GLXDrawable name, std::shared_ptr<Drawable> drawable) {
+    const std::lock_guard lock(m_mutex);
+    display.drawables.insert_or_assign(name, std::move(drawable));
+}
+
+bool Registry::remove(DisplayState& display, GLXDrawable name) {
+    std::shared_ptr<Drawable> last;
+    const std::lock_guard lock(m_mutex);
+    const auto known = display.drawables.find(name);
+    if (known == display.drawables.end()) return false;
+    last = std::move(known->second);
+    display.drawables.erase(known);
+    return true;
+}
+
+const Config* Registry::config_of_visual(DisplayState& display, int screen, VisualID visual) {
+    const std::lock_guard lock(m_mutex);
+    const auto known = display.visual_configs.find(visual);
+    return known != display.visual_configs.end() && known->second->screen == screen ? known->second : nullptr;
+}
+
+void Registry::use_for_visual(DisplayState& display, const Config& config) {
+    const std::lock_guard lock(m_mutex);
+    display.visual_configs[config.visual.id] = &config;
+}
+
+bool Registry::is_config(DisplayState& display, GLXFBConfig config) {
+    return std::ranges::any_of(display.configs, [&](const std::vector<Config>& configs) {
+        return std::ranges::any_of(configs, [&](const Config& c) { return &c == config; });
+    });
+}
+
+std::shared_ptr<Context> current_context() {
+    const window::Binding& binding = window::current_binding();
+    if (!binding.context || binding.context->interface != window::Interface::kGlx) return nullptr;
+    return std::static_pointer_cast<Context>(binding.context);
+}
+
+namespace {
+
+// The core error that comes nearest, for servers without GLX: they have set aside no numbers for its errors.
+int core_error(int glx_error) {
+    switch (glx_error) {
+        case GLXBadDrawable:
+        case GLXBadPbuffer:
+            return BadDrawable;
+        case GLXBadPixmap:
+            return BadPixmap;
+        case GLXBadWindow:
+            return BadWindow;
+        default:
+            return BadValue;
+    }
+}
+
+}  // namespace
+
+void send_error(::Display* display, int code, bool is_glx, XID resource, int minor) {
+    int opcode = 0, first_event = 0, first_error = 0;
+    const bool has_glx = XQueryExtension(display, GLX_EXTENSION_NAME, &opcode, &first_event, &first_error);
+    if (is_glx) code = has_glx ? first_error + code : core_error(code);
+    LockDisplay(display);
+    xError error{};
+    error.type = X_Error;
+    error.errorCode = static_cast<CARD8>(code);
+    error.sequenceNumber = static_cast<CARD16>(display->request);
+    error.resourceID = static_cast<CARD32>(resource);
+    error.minorCode = static_cast<CARD16>(minor);
+    error.majorCode = static_cast<CARD8>(opcode);
+    _XError(display, &error);
+    UnlockDisplay(display);
+}
+
+}  // namespace terrazzo::glx

@@ -1,0 +1,81 @@
+// GLX_EXT_texture_from_pixmap: a pixmap's pixels as the image of the bound texture. They are copied when they
+// are bound: what is drawn to the pixmap later is seen when it is bound again, as the extension allows.
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/glx.h>
+
+#include <cstring>
+#include <exception>
+#include <vector>
+
+#include "frontends/glx/display.h"
+#include "frontends/glx/protocol.h"
+
+namespace gl = terrazzo::gl;
+namespace glx = terrazzo::glx;
+namespace x11 = terrazzo::x11;
+using terrazzo::glx::registry;
+
+namespace {
+
+// Row 0 of a texture is the pixmap's bottom row (GLX_Y_INVERTED_EXT is False).
+std::vector<std::byte> bottom_row_first(x11::Image& image, std::size_t row_bytes) {
+    std::vector<std::byte> rows(row_bytes * static_cast<std::size_t>(image.height()));
+    for (int y = 0; y < image.height(); ++y) {
+        std::memcpy(rows.data() + static_cast<std::size_t>(image.height() - 1 - y) * row_bytes,
+                    image.data() + y * image.stride(), row_bytes);
+    }
+    return rows;
+}
+
+}  // namespace
+
+void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const int*) try {
+    const auto state = registry().display(display);
+    const auto drawable = registry().drawable(*state, name);
+    const auto fail = [&](int code, bool is_glx) {
+        glx::send_error(display, code, is_glx, name, X_GLXVendorPrivate);
+    };
+    if (!drawable || drawable->kind != glx::Kind::kPixmap || !drawable->server)
+        return fail(GLXBadPixmap, true);
+    if (buffer < GLX_FRONT_LEFT_EXT || buffer > GLX_AUX9_EXT) return fail(BadValue, false);
+    if (drawable->texture_format == GLX_TEXTURE_FORMAT_NONE_EXT) return fail(BadMatch, false);
+    if (!glx::current_context()) return;
+    drawable->server->follow_window(gl::Follow::kOncePerPicture);
+    x11::Image* const image = drawable->server->read_server();
+    if (!image) return fail(BadDrawable, false);
+
+    const bool is_565 = drawable->config->visual.color == terrazzo::raster::ColorFormat::kRgb565;
+    const auto rows = bottom_row_first(*image, static_cast<std::size_t>(image->width()) * (is_565 ? 2 : 4));
+    const GLenum format = is_565 ? GL_RGB
+                          : drawable->config->visual.layout == terrazzo::pipeline::PixelLayout::kBgra8
+                              ? GL_BGRA
+                              : GL_RGBA;
+    const GLenum type = is_565 ? GL_UNSIGNED_SHORT_5_6_5 : GL_UNSIGNED_BYTE;
+    const GLint internal = drawable->texture_format == GLX_TEXTURE_FORMAT_RGBA_EXT ? GL_RGBA : GL_RGB;
+    glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
+    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (drawable->texture_target == GLX_TEXTURE_1D_EXT) {
+        glTexImage1D(GL_TEXTURE_1D, 0, internal, image->width(), 0, format, type, rows.data());
+    } else {
+        glTexImage2D(GL_TEXTURE_2D, 0, internal, image->width(), image->height(), 0, format, type,
+                     rows.data());
+    }
+    glPopClientAttrib();
+} catch (const std::exception&) {
+    glx::send_error(display, BadAlloc, false, name, X_GLXVendorPrivate);
+}
+
+// The texture keeps what it has: it is the texture's own.
+void glXReleaseTexImageEXT(Display* display, GLXDrawable name, int buffer) {
+    const auto state = registry().display(display);
+    const auto drawable = registry().drawable(*state, name);
+    if (!drawable || drawable->kind != glx::Kind::kPixmap)
+        return glx::send_error(display, GLXBadPixmap, true, name, X_GLXVendorPrivate);
+    if (buffer < GLX_FRONT_LEFT_EXT || buffer > GLX_AUX9_EXT)
+        glx::send_error(display, BadValue, false, name, X_GLXVendorPrivate);
+}

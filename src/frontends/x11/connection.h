@@ -1,0 +1,52 @@
+// What we need to know of an X server: its screens' visuals, how their pixels lie in memory, and whether it
+// can share memory with us.
+#pragma once
+
+#include <xcb/xcb.h>
+
+#include <optional>
+#include <vector>
+
+#include "frontends/x11/image.h"
+#include "pipeline/resolve.h"
+#include "raster/target.h"
+
+namespace terrazzo::x11 {
+
+// A visual that we can draw for.
+struct Visual {
+    xcb_visualid_t id = 0;
+    std::uint8_t visual_class = 0;  // XCB_VISUAL_CLASS_TRUE_COLOR or _DIRECT_COLOR
+    ImageFormat image;
+    raster::ColorFormat color = raster::ColorFormat::kRgba8;
+    pipeline::PixelLayout layout = pipeline::PixelLayout::kBgra8;
+    int red_bits = 8, green_bits = 8, blue_bits = 8;
+    bool has_alpha = false;  // the server shows or keeps an alpha channel: depth 32
+};
+
+struct Screen {
+    xcb_window_t root = 0;
+    xcb_visualid_t root_visual = 0;
+    std::vector<Visual> visuals;  // in the server's order
+};
+
+struct Connection {
+    xcb_connection_t* xcb = nullptr;
+    bool may_share = false;
+    std::vector<Screen> screens;
+};
+
+// Asks the server once. `connection` must outlive the answer.
+Connection inspect(xcb_connection_t* connection);
+
+// The size of a drawable, and its depth; empty if there is none of that name. Waits for the server.
+struct Geometry {
+    int width, height, depth;
+};
+std::optional<Geometry> geometry(xcb_connection_t* connection, xcb_drawable_t drawable);
+std::optional<Geometry> geometry_answer(xcb_connection_t* connection, xcb_get_geometry_cookie_t asked);
+
+// The visual of a window, 0 if there is no such window. Waits for the server.
+xcb_visualid_t window_visual(xcb_connection_t* connection, xcb_window_t window);
+
+}  // namespace terrazzo::x11
