@@ -14,13 +14,10 @@ namespace {
 
 using raster::kTileSize;
 
-// No window reaches that far.
-constexpr float kFarAway = 1 << 20;
-
 // Where a coordinate of the bitmap's corner lies. The reference adds a little, so that positions a rounding
 // error below a whole number count as that.
 int corner(GLfloat position, GLfloat origin) {
-    return static_cast<int>(std::floor(std::clamp(position + 0.0001f - origin, -kFarAway, kFarAway)));
+    return static_cast<int>(std::floor(bounded(position + 0.0001f - origin)));
 }
 
 // The order of bits that tiles have: the leftmost pixel in the lowest bit.

@@ -116,6 +116,24 @@ void unpack_indices(GLenum type, bool swap_bytes, bool lsb_first, const void* so
               [&]<typename T>(T) { load_components<T>(bytes, swap_bytes, count, to_index<T>, indices); });
 }
 
+void unpack_depths(GLenum type, bool swap_bytes, const void* source, int count, float* depths) {
+    const auto* bytes = static_cast<const uint8_t*>(source);
+    with_type(type, [&]<typename T>(T) {
+        const auto convert = [](T value) {
+            if constexpr (std::is_same_v<T, float>) {
+                return value;
+            } else if constexpr (std::is_signed_v<T>) {
+                constexpr double kRange = std::numeric_limits<std::make_unsigned_t<T>>::max();
+                return static_cast<float>((2 * static_cast<double>(value) + 1) / kRange);
+            } else {
+                constexpr double kRange = std::numeric_limits<T>::max();
+                return static_cast<float>(static_cast<double>(value) / kRange);
+            }
+        };
+        load_components<T>(bytes, swap_bytes, count, convert, depths);
+    });
+}
+
 void pack_rgba8(GLenum format, GLenum type, bool swap_bytes, const uint8_t* rgba, int count,
                 void* destination) {
     auto* bytes = static_cast<uint8_t*>(destination);

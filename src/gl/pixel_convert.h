@@ -61,6 +61,10 @@ void unpack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const void* 
 void unpack_indices(GLenum type, bool swap_bytes, bool lsb_first, const void* source, int first_bit,
                     int count, uint32_t* indices);
 
+// Client depths, one component of any unpacked type; signed integers stand for (2c + 1)/(2^b - 1) (GL 1.5
+// table 2.9). What is less than 0 or more than 1 stays so.
+void unpack_depths(GLenum type, bool swap_bytes, const void* source, int count, float* depths);
+
 // RGBA to client pixels; luminance takes R.
 void pack_rgba8(GLenum format, GLenum type, bool swap_bytes, const uint8_t* rgba, int count,
                 void* destination);

@@ -2,9 +2,12 @@
 #include "gl/pixel_rect.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 
 #include "gl/context.h"
 #include "gl/draw.h"
+#include "gl/pixel_tiles.h"
 #include "gl/validate.h"
 
 namespace terrazzo::gl {
@@ -63,6 +66,13 @@ std::size_t lay_out_tiles(pipeline::PixelRect& rect) {
     data.across = (rect.x1 - 1) / kTileSize - data.first_column + 1;
     const int down = (rect.y1 - 1) / kTileSize - data.first_row + 1;
     return static_cast<std::size_t>(data.across) * static_cast<std::size_t>(down);
+}
+
+std::shared_ptr<std::byte[]> allocate_tiles(std::size_t bytes) {
+    constexpr std::size_t kAlignment = 64;
+    void* const memory = std::aligned_alloc(kAlignment, (bytes + kAlignment - 1) / kAlignment * kAlignment);
+    if (memory == nullptr) throw std::bad_alloc();
+    return {static_cast<std::byte*>(memory), std::free};
 }
 
 int target_row(const Context& ctx, int y) {

@@ -8,6 +8,14 @@ namespace terrazzo::gl {
 
 struct Context;
 
+// A window coordinate that fits an integer, as are sums with sizes; no window reaches further. NaN is far to
+// the left.
+constexpr float kFarAway = 1 << 24;
+inline float bounded(float coordinate) {
+    const float not_left = coordinate > -kFarAway ? coordinate : -kFarAway;
+    return not_left < kFarAway ? not_left : kFarAway;
+}
+
 // Queues `rect`, whose pixels and data are filled in, with the depth, colours, texture coordinates and fog
 // distance of the current raster position. Throws std::bad_alloc.
 void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect& rect);

@@ -108,6 +108,8 @@ const std::vector<ValidCall>& valid_calls() {
         {"glPolygonMode", {GL_FRONT, GL_LINE}},
         {"glPolygonStipple", {in}},
         {"glPrioritizeTextures(EXT)?", {1, in, in}},
+        {"glCopyPixels", {0, 0, 2, 2, GL_COLOR}},
+        {"glDrawPixels", {2, 2, GL_RGBA, GL_FLOAT, in}},
         {"glBitmap", {2, 2, 0.0, 0.0, 1.0, 1.0, in}},
         {"glRasterPos[234][dfis]v", {in}},
         {"glReadBuffer", {GL_FRONT}},

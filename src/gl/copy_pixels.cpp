@@ -1,0 +1,119 @@
+// CopyPixels (GL 1.5 §4.3.3): a rectangle of the frame buffer, read when everything before is drawn, becomes
+// a pixel rectangle. What lies outside the window is not copied.
+#include <algorithm>
+#include <cmath>
+
+#include "gl/context.h"
+#include "gl/generated/commands.h"
+#include "gl/pixel_convert.h"
+#include "gl/pixel_tiles.h"
+#include "gl/pixel_transfer.h"
+#include "gl/read_source.h"
+#include "pipeline/read_row.h"
+
+namespace terrazzo::gl {
+namespace {
+
+// A rectangle of the finished frame buffer, (x, y) being its lower left pixel.
+class BufferRows {
+  public:
+    BufferRows(Context& ctx, GLint x, GLint y) : m_ctx(ctx), m_source(ctx), m_x(x), m_y(y) {}
+
+    bool has_bytes() const { return m_source.has_bytes(m_ctx.pixels); }
+
+    // Leaves of the grid what shows pixels that there are.
+    void cut(PixelGrid& grid, GLsizei width, GLsizei height) const {
+        const ReadRect seen = m_source.clip(m_x, m_y, width, height);
+        grid.columns.keep_sources(seen.skipped_columns, seen.skipped_columns + seen.width);
+        grid.rows.keep_sources(seen.skipped_rows, seen.skipped_rows + seen.height);
+    }
+
+    void read(int row, int first, int count, uint32_t* colors) const {
+        m_source.read(m_x + first, m_y + row, count, reinterpret_cast<uint8_t*>(colors));
+    }
+    void read(int row, int first, int count, FloatColor::Pixel* colors) const {
+        m_source.read(m_x + first, m_y + row, count, m_ctx.pixels, colors->rgba);
+    }
+
+    void read_depths(int row, int first, int count, uint32_t* depths) const {
+        pipeline::read_depth(m_source.target(), m_x + first, m_source.row(m_y + row), count, depths);
+        const int from = m_source.target().format().depth_bits, to = m_ctx.surface.format.depth_bits;
+        if (from == to && !changes_depths(m_ctx.pixels)) return;
+        const auto maximum = [](int bits) { return static_cast<double>((uint64_t{1} << bits) - 1); };
+        for (int i = 0; i < count; ++i) {
+            auto z = static_cast<float>(depths[i] / maximum(from));
+            if (changes_depths(m_ctx.pixels)) transfer_depths(m_ctx.pixels, &z, 1);
+            depths[i] = static_cast<uint32_t>(std::lrint(z * static_cast<float>(maximum(to))));
+        }
+    }
+
+    void read_stencils(int row, int first, int count, uint8_t* values) const {
+        pipeline::read_stencil(m_source.target(), m_x + first, m_source.row(m_y + row), count, values);
+        if (!changes_stencils(m_ctx.pixels)) return;
+        for (int i = 0; i < count; ++i) {
+            uint32_t index = values[i];
+            transfer_stencils(m_ctx.pixels, &index, 1);
+            values[i] = static_cast<uint8_t>(index);
+        }
+    }
+
+  private:
+    Context& m_ctx;
+    ReadSource m_source;
+    GLint m_x, m_y;
+};
+
+struct CopiedRect {
+    raster::PixelImage image;
+    pipeline::PixelRect rect;
+};
+
+CopiedRect copy_rows(GLenum type, const PixelGrid& grid, const BufferRows& rows) {
+    const auto read = [&](int row, int first, int count, auto* pixels) {
+        rows.read(row, first, count, pixels);
+    };
+    if (type == GL_STENCIL) {
+        return {raster::PixelImage::kStencil,
+                make_pixel_rect<StencilValue>(grid, [&](int row, int first, int count, uint8_t* values) {
+                    rows.read_stencils(row, first, count, values);
+                })};
+    }
+    if (type == GL_DEPTH) {
+        return {raster::PixelImage::kDepth,
+                make_pixel_rect<Depth>(grid, [&](int row, int first, int count, uint32_t* depths) {
+                    rows.read_depths(row, first, count, depths);
+                })};
+    }
+    if (rows.has_bytes()) return {raster::PixelImage::kRgba8, make_pixel_rect<ByteColor>(grid, read)};
+    return {raster::PixelImage::kRgba32F, make_pixel_rect<FloatColor>(grid, read)};
+}
+
+bool is_there(const Context& ctx, GLenum type) {
+    const auto holds = [&](const raster::TargetFormat& format) {
+        return type == GL_COLOR || (type == GL_DEPTH ? format.depth_bits : format.stencil_bits) != 0;
+    };
+    return holds(ctx.surface.format) &&
+           (!has_read_source(ctx) || holds(ctx.surface.read->target()->format()));
+}
+
+}  // namespace
+
+void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+    if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
+    if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL)
+        return record_error(ctx, GL_INVALID_ENUM, "type is not GL_COLOR, GL_DEPTH or GL_STENCIL");
+    if (!is_there(ctx, type)) return record_error(ctx, GL_INVALID_OPERATION, "there is no such buffer");
+    if (!ctx.raster_position.valid || !has_read_source(ctx)) return;
+    PixelGrid grid = make_pixel_grid(ctx, width, height);
+    if (grid.empty()) return;
+    CopiedRect copied;
+    {
+        const BufferRows rows(ctx, x, y);
+        rows.cut(grid, width, height);
+        if (grid.empty()) return;
+        copied = copy_rows(type, grid, rows);
+    }
+    draw_pixel_rect(ctx, copied.image, copied.rect);
+}
+
+}  // namespace terrazzo::gl
