@@ -87,6 +87,7 @@ void for_each_enable(Context& ctx, Visit visit) {
                        &ctx.fragment_ops.stencil.enabled,
                        &ctx.fragment_ops.scissor.enabled,
                        &ctx.fog.enabled,
+                       &ctx.fog.color_sum,
                        &ctx.lighting.enabled,
                        &ctx.lighting.color_material.enabled,
                        &ctx.matrix.transform.normalize,

@@ -18,7 +18,8 @@ struct Drawing {
     // What the derived state was made for besides the GL state.
     pipeline::AttributeMask streamed = 0;
     unsigned projective = 0;  // texture units, one bit each, whose coordinates may have a q other than 1
-    std::array<float, 4> constant_color{};
+    std::array<float, 4> constant_color{}, constant_secondary{};
+    bool secondary_varies = false;
     // The fragment state of the last bitmap or pixel rectangle, and whether state has changed since.
     std::shared_ptr<const pipeline::FragmentBlock> raster_fragment;
     pipeline::RasterState raster_box;

@@ -56,6 +56,8 @@ Capability find_capability(Context& ctx, GLenum cap) {
             return {&fragment.scissor.enabled, Dirty::kFragment};
         case GL_FOG:
             return {&ctx.fog.enabled, Dirty::kFragment};
+        case GL_COLOR_SUM:
+            return {&ctx.fog.color_sum, Dirty::kFragment};
         case GL_LIGHTING:
             return {&ctx.lighting.enabled, Dirty::kLighting};
         case GL_COLOR_MATERIAL:

@@ -23,6 +23,11 @@ void fogfv(Context& ctx, GLenum pname, const GLfloat* params) {
             return change(ctx, Dirty::kFragment, fog.end, *params);
         case GL_FOG_INDEX:
             return change(ctx, Dirty::kFragment, fog.index, *params);
+        case GL_FOG_COORDINATE_SOURCE:
+            if (*params != GL_FRAGMENT_DEPTH && *params != GL_FOG_COORDINATE) {
+                return record_error(ctx, GL_INVALID_ENUM, "no such source of fog coordinates");
+            }
+            return change(ctx, Dirty::kFragment, fog.coordinate_source, *params);
         case GL_FOG_COLOR:
             return change(ctx, Dirty::kFragment, fog.color,
                           std::array{params[0], params[1], params[2], params[3]});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 
 #include <array>
 
@@ -15,6 +16,8 @@ struct FogState {
     GLfloat start = 0;
     GLfloat end = 1;
     GLfloat index = 0;
+    GLenum coordinate_source = GL_FRAGMENT_DEPTH;
+    bool color_sum = false;  // the secondary colour is added without lighting too (GL 1.5 §3.9)
 };
 
 }  // namespace terrazzo::gl

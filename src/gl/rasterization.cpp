@@ -20,6 +20,29 @@ void point_size(Context& ctx, GLfloat size) {
     change(ctx, Dirty::kRasterization, ctx.rasterization.point.size, size);
 }
 
+void point_parameterfv(Context& ctx, GLenum pname, const GLfloat* params) {
+    PointState& point = ctx.rasterization.point;
+    GLfloat* value = nullptr;
+    switch (pname) {
+        case GL_POINT_DISTANCE_ATTENUATION:
+            return change(ctx, Dirty::kRasterization, point.attenuation,
+                          std::array{params[0], params[1], params[2]});
+        case GL_POINT_SIZE_MIN:
+            value = &point.min_size;
+            break;
+        case GL_POINT_SIZE_MAX:
+            value = &point.max_size;
+            break;
+        case GL_POINT_FADE_THRESHOLD_SIZE:
+            value = &point.fade_threshold;
+            break;
+        default:
+            return record_error(ctx, GL_INVALID_ENUM, "no such point parameter");
+    }
+    if (!(*params >= 0)) return record_error(ctx, GL_INVALID_VALUE, "the size is negative");
+    change(ctx, Dirty::kRasterization, *value, *params);
+}
+
 void line_width(Context& ctx, GLfloat width) {
     if (!(width > 0)) return record_error(ctx, GL_INVALID_VALUE, "width is not positive");
     change(ctx, Dirty::kRasterization, ctx.rasterization.line.width, width);

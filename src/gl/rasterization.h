@@ -7,11 +7,19 @@
 #include <array>
 #include <cstdint>
 
+#include "gl/limits.h"
+
 namespace terrazzo::gl {
 
 struct PointState {
     GLfloat size = 1;
     bool smooth = false;
+    // GL 1.5 §3.3; only multisampled points would fade.
+    GLfloat min_size = 0, max_size = kMaxPointSize;
+    GLfloat fade_threshold = 1;
+    std::array<GLfloat, 3> attenuation{1, 0, 0};  // constant, linear, quadratic
+
+    bool attenuated() const { return attenuation != std::array<GLfloat, 3>{1, 0, 0}; }
 };
 
 struct LineState {

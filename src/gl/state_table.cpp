@@ -71,6 +71,8 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
         {GL_FOG_END, [](Context& c, Out& out) { out = c.fog.end; }},
         {GL_FOG_INDEX, [](Context& c, Out& out) { out = c.fog.index; }},
 
+        {GL_FOG_COORDINATE_SOURCE, [](Context& c, Out& out) { out = c.fog.coordinate_source; }},
+
         // Lighting
         {GL_SHADE_MODEL, [](Context& c, Out& out) { out = c.lighting.shade_model; }},
         {GL_COLOR_MATERIAL_FACE, [](Context& c, Out& out) { out = c.lighting.color_material.face; }},
@@ -82,6 +84,10 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
 
         // Rasterization
         {GL_POINT_SIZE, [](Context& c, Out& out) { out = c.rasterization.point.size; }},
+        {GL_POINT_SIZE_MIN, [](Context& c, Out& out) { out = c.rasterization.point.min_size; }},
+        {GL_POINT_SIZE_MAX, [](Context& c, Out& out) { out = c.rasterization.point.max_size; }},
+        {GL_POINT_FADE_THRESHOLD_SIZE, [](Context& c, Out& out) { out = c.rasterization.point.fade_threshold; }},
+        {GL_POINT_DISTANCE_ATTENUATION, [](Context& c, Out& out) { out = c.rasterization.point.attenuation; }},
         {GL_LINE_WIDTH, [](Context& c, Out& out) { out = c.rasterization.line.width; }},
         {GL_LINE_STIPPLE_PATTERN, [](Context& c, Out& out) { out = c.rasterization.line.stipple_pattern; }},
         {GL_LINE_STIPPLE_REPEAT, [](Context& c, Out& out) { out = c.rasterization.line.stipple_factor; }},

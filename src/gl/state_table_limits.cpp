@@ -43,6 +43,7 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_MAX_TEXTURE_UNITS, [](Context&, Out& out) { out = kMaxTextureUnits; }},
     {GL_MAX_TEXTURE_SIZE, [](Context&, Out& out) { out = kMaxTextureSize; }},
     {GL_MAX_VIEWPORT_DIMS, [](Context&, Out& out) { out = std::array{kMaxViewportSize, kMaxViewportSize}; }},
+    {GL_MAX_TEXTURE_LOD_BIAS, [](Context&, Out& out) { out = kMaxTextureLodBias; }},
     {GL_SUBPIXEL_BITS, [](Context&, Out& out) { out = kSubpixelBits; }},
     {GL_POINT_SIZE_RANGE, [](Context&, Out& out) { out = std::array{kMinPointSize, kMaxPointSize}; }},
     {GL_POINT_SIZE_GRANULARITY, [](Context&, Out& out) { out = kPointSizeGranularity; }},

@@ -37,6 +37,7 @@ struct TextureParameters {
     GLfloat priority = 1;
     GLfloat min_lod = -1000;
     GLfloat max_lod = 1000;
+    GLfloat lod_bias = 0;
     GLint base_level = 0;
     GLint max_level = 1000;
 };

@@ -33,6 +33,8 @@ bool is_texgen_mode(GLenum coord, GLfloat mode) {
 }  // namespace
 
 void tex_envfv(Context& ctx, GLenum target, GLenum pname, const GLfloat* params) {
+    if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS)
+        return change(ctx, Dirty::kTexture, active_unit(ctx).env.lod_bias, *params);
     if (target != GL_TEXTURE_ENV) return record_error(ctx, GL_INVALID_ENUM, "target is not GL_TEXTURE_ENV");
     TextureEnv& env = active_unit(ctx).env;
     if (set_combine_parameter(ctx, env, pname, *params)) return;
@@ -64,6 +66,10 @@ void tex_genfv(Context& ctx, GLenum coord, GLenum pname, const GLfloat* params) 
 }
 
 void get_tex_envfv(Context& ctx, GLenum target, GLenum pname, GLfloat* params) {
+    if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS) {
+        *params = active_unit(ctx).env.lod_bias;
+        return;
+    }
     if (target != GL_TEXTURE_ENV) return record_error(ctx, GL_INVALID_ENUM, "target is not GL_TEXTURE_ENV");
     const TextureEnv& env = active_unit(ctx).env;
     if (get_combine_parameter(env, pname, *params)) return;

@@ -24,6 +24,7 @@ struct TextureEnv {
     GLenum mode = GL_MODULATE;
     std::array<GLfloat, 4> color{};  // as specified; clamped to 0..1 where it is used
     CombineHalf rgb, alpha;          // of GL_COMBINE
+    GLfloat lod_bias = 0;            // GL_TEXTURE_FILTER_CONTROL
 };
 
 struct Context;

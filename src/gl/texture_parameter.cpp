@@ -92,6 +92,9 @@ Rule set_parameter(TextureParameters& parameters, GLenum pname, const GLfloat* v
         case GL_TEXTURE_MAX_LOD:
             parameters.max_lod = value;
             return {};
+        case GL_TEXTURE_LOD_BIAS:
+            parameters.lod_bias = value;
+            return {};
         case GL_TEXTURE_PRIORITY:
             parameters.priority = clamp_to_unit(value);
             return {};
@@ -132,6 +135,9 @@ bool query(const TextureParameters& parameters, GLenum pname, GLfloat* values) {
             return true;
         case GL_TEXTURE_MAX_LOD:
             *values = parameters.max_lod;
+            return true;
+        case GL_TEXTURE_LOD_BIAS:
+            *values = parameters.lod_bias;
             return true;
         case GL_TEXTURE_RESIDENT:
             *values = GL_TRUE;

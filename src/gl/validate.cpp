@@ -62,6 +62,18 @@ void make_transform(Context& ctx, pipeline::VertexState& out) {
     make_viewport(ctx, out);
 }
 
+float point_size_within(const PointState& point, float size) {
+    return std::min(std::min(std::max(size, point.min_size), point.max_size), kMaxPointSize);
+}
+
+void make_point_sizes(const PointState& point, pipeline::VertexState& out) {
+    out.point_attenuated = point.attenuated();
+    out.point_size = point.size;
+    out.point_size_min = std::min(point.min_size, kMaxPointSize);
+    out.point_size_max = std::min(point.max_size, kMaxPointSize);
+    std::copy_n(point.attenuation.data(), 3, out.point_attenuation);
+}
+
 void make_raster(const Context& ctx, pipeline::RasterState& out) {
     scissor_box(ctx, out);
     const PolygonState& polygon = ctx.rasterization.polygon;
@@ -88,8 +100,9 @@ void make_raster(const Context& ctx, pipeline::RasterState& out) {
     out.line_stipple = line.stipple_enabled && line.stipple_pattern != 0xffff;
     out.line_stipple_factor = line.stipple_factor;
     out.line_stipple_pattern = line.stipple_pattern;
-    out.point_size = std::min(ctx.rasterization.point.size, kMaxPointSize);
-    out.point_smooth = ctx.rasterization.point.smooth;
+    const PointState& point = ctx.rasterization.point;
+    out.point_size = point_size_within(point, point.size);
+    out.point_smooth = point.smooth;
 }
 
 // The texture a unit samples, null where texturing is off or the texture incomplete.
@@ -154,6 +167,12 @@ void make_combiner(const TextureEnv& env, unsigned sampled, raster::TextureStage
     if (env.rgb.function == GL_DOT3_RGBA_EXT) out.rgb.scale = out.alpha.scale = 1;
 }
 
+// GL 1.5 §3.8.8 bounds the sum; the reference each, in steps of its own. NaN is as good as 0.
+float quantized_bias(GLfloat bias) {
+    if (!(bias == bias)) return 0;
+    return std::round(std::clamp(bias, -kMaxTextureLodBias, kMaxTextureLodBias) * 256) / 256;
+}
+
 raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, const TextureObject& object,
                                 const TextureCompleteness& levels,
                                 std::vector<std::shared_ptr<const void>>& images) {
@@ -172,6 +191,7 @@ raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, 
         sampler.min_filter == raster::Filter::kNearest && sampler.mag_filter == raster::Filter::kNearest;
     for (raster::Wrap* const wrap : {&sampler.wrap_s, &sampler.wrap_t})
         if (nearest && *wrap == raster::Wrap::kClamp) *wrap = raster::Wrap::kClampToEdge;
+    sampler.lod_bias = quantized_bias(p.lod_bias) + quantized_bias(unit_state.env.lod_bias);
     sampler.min_lod = p.min_lod;
     sampler.max_lod = p.max_lod;
     std::copy(p.border_color.begin(), p.border_color.end(), sampler.border_color);
@@ -311,7 +331,7 @@ void make_fog(const Context& ctx, raster::FragmentState& out) {
     }
 }
 
-raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_units,
+raster::Varyings lay_out_varyings(const raster::FragmentKey& key, bool secondary_varies, unsigned used_units,
                                   unsigned projective_units) {
     raster::Varyings v;
     int next = 0;
@@ -321,7 +341,7 @@ raster::Varyings lay_out_varyings(const raster::FragmentKey& key, unsigned used_
         return static_cast<std::int8_t>(first);
     };
     if (key.interpolated_color) v.color = take(4);
-    if (key.separate_specular) v.secondary = take(3);
+    if (key.separate_specular && secondary_varies) v.secondary = take(3);
     if (key.fog != raster::FogMode::kNone) v.fog = take(1);
     for (std::size_t u = 0; u < kMaxTextureUnits; ++u)
         if (used_units >> u & 1) v.texture[u] = take(projective_units >> u & 1 ? 4 : 2);
@@ -354,7 +374,12 @@ bool shows_texel(const raster::FragmentState& state) {
 }
 
 bool adds_secondary_color(const Context& ctx) {
-    return ctx.lighting.enabled && ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    const bool separate = ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    return ctx.fog.color_sum || (ctx.lighting.enabled && separate);
+}
+
+bool secondary_varies(const Context& ctx, const pipeline::VertexInput& input) {
+    return ctx.lighting.enabled || (input.streamed & bit(pipeline::kSecondaryColor));
 }
 
 // What of the key depends on more than the state that make_fragment reads.
@@ -364,8 +389,9 @@ void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, boo
     key.perspective = !(vertex.affine && w_is_one);
     key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
     // Without perspective a constant plane is as good.
-    key.flat_color = key.perspective && key.interpolated_color && ctx.lighting.shade_model == GL_FLAT;
     key.separate_specular = adds_secondary_color(ctx);
+    const bool varies = key.interpolated_color || (key.separate_specular && secondary_varies(ctx, input));
+    key.flat_color = key.perspective && varies && ctx.lighting.shade_model == GL_FLAT;
 }
 
 // Whether the fragment state of the last draw serves this one too: programs that move from object to object
@@ -379,6 +405,8 @@ bool fragment_still_fits(const Context& ctx, const pipeline::VertexInput& input,
     key_of_vertices(ctx, input, w_is_one, key);
     return key == drawing.state.fragment->fill.key &&
            drawing.constant_color == input.constants[pipeline::kColor] &&
+           drawing.constant_secondary == input.constants[pipeline::kSecondaryColor] &&
+           secondary_varies(ctx, input) == drawing.secondary_varies &&
            drawing.projective == projective_units(drawing.state.vertex, input);
 }
 
@@ -443,7 +471,9 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
                   : !is_plain_bilinear(block->stages, projective) ? raster::TextureKind::kGeneral
                   : shows_texel(state)                            ? raster::TextureKind::kBilinearRgba8
                                        : raster::TextureKind::kModulateBilinearRgba8;
-    state.varyings = lay_out_varyings(key, used, projective);
+    const auto& secondary = input.constants[pipeline::kSecondaryColor];
+    std::transform(secondary.begin(), secondary.begin() + 3, state.constant_secondary, unit);
+    state.varyings = lay_out_varyings(key, secondary_varies(ctx, input), used, projective);
     block->complete(ctx.rasterization.line.smooth, ctx.rasterization.point.smooth);
     draw.vertex.varyings = state.varyings;
     draw.fragment = std::move(block);
@@ -479,7 +509,7 @@ std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx
     key.image =
         image == raster::PixelImage::kRgba8 && shows_image(state) ? raster::PixelImage::kVerbatim : image;
     if (image == raster::PixelImage::kStencil) key.stencil_test = true;
-    state.varyings = lay_out_varyings(key, used, projective);
+    state.varyings = lay_out_varyings(key, true, used, projective);
     block->complete(false, false);
     return block;
 }
@@ -512,10 +542,12 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
         static_cast<unsigned>(Dirty::kRasterization) | static_cast<unsigned>(Dirty::kFragment) |
         static_cast<unsigned>(Dirty::kLighting) | static_cast<unsigned>(Dirty::kFramebuffer);
     if (ctx.dirty & kRasterInputs) make_raster(ctx, drawing.state.raster);
+    if (is_dirty(ctx, Dirty::kRasterization)) make_point_sizes(ctx.rasterization.point, vertex);
 
     const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill &&
                             drawing.state.raster.fill[1] == pipeline::FillMode::kFill;
     vertex.edge_flags = !all_filled;
+    vertex.fog_from_coordinate = ctx.fog.coordinate_source == GL_FOG_COORDINATE;
     if (is_dirty(ctx, Dirty::kTransform)) {
         for (int u = 0; u < kMaxTextureUnits; ++u) {
             auto& coordinates = vertex.texture[static_cast<std::size_t>(u)];
@@ -525,6 +557,8 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     const bool new_fragment = !fragment_still_fits(ctx, input, w_is_one);
     if (new_fragment) {
         drawing.constant_color = input.constants[pipeline::kColor];
+        drawing.constant_secondary = input.constants[pipeline::kSecondaryColor];
+        drawing.secondary_varies = secondary_varies(ctx, input);
         make_fragment(ctx, input, w_is_one);
     }
     if (new_fragment || ctx.dirty != 0 || drawing.streamed != input.streamed) {

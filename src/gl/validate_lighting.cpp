@@ -32,6 +32,7 @@ bool needs_eye_space(const Context& ctx, const pipeline::VertexState& vertex) {
         if (unit.used && std::any_of(std::begin(unit.texgen), std::end(unit.texgen), looks)) return true;
     }
     const LightingState& state = ctx.lighting;
+    if (ctx.rasterization.point.attenuated()) return true;
     if (!state.enabled) return false;
     if (state.model.local_viewer || state.model.color_control == GL_SEPARATE_SPECULAR_COLOR) return true;
     for (const Light& light : state.lights)

@@ -40,6 +40,7 @@ int Clipper::interpolate(float t, int from, int to, int& slot) {
     m_vertices.integers(kSnappedX)[made] = snap_even(m_vertices.column(kWindowX)[made]);
     m_vertices.integers(kSnappedY)[made] = snap_even(m_vertices.column(kWindowY)[made]);
     m_vertices.integers(kOutcode)[made] = 0;
+    if (m_state.point_attenuated) lerp(kPointSizeColumn);
     for (int column = kFirstVarying; column < m_columns; ++column) lerp(column);
     return made;
 }

@@ -20,7 +20,9 @@ void PrimitiveSetup::point(int v) {
     flush();
     const float window_x = m_vertices.column(kWindowX)[v], window_y = m_vertices.column(kWindowY)[v];
     if (!is_window_coordinate(window_x) || !is_window_coordinate(window_y)) return;
-    const int32_t size = std::max((snap_away(m_state.raster.point_size) + 127) & ~255, 256) >> 8;
+    const float wanted =
+        m_state.vertex.point_attenuated ? m_vertices.column(kPointSizeColumn)[v] : m_state.raster.point_size;
+    const int32_t size = std::max((snap_away(wanted) + 127) & ~255, 256) >> 8;
     // A position on the line between two rows belongs to the one that is lower in GL's orientation.
     const int32_t y = snap_away(window_y) - (m_state.raster.row0_is_top ? 1 : 0);
     const int32_t x0 = first_pixel(snap_away(window_x), size), y0 = first_pixel(y, size);

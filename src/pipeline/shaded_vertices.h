@@ -23,7 +23,8 @@ enum Column : int {
     kSnappedX,
     kSnappedY,
     kOutcode,
-    kEdgeFlagColumn,  // integers; written only where polygons may be drawn unfilled
+    kEdgeFlagColumn,   // integers; written only where polygons may be drawn unfilled
+    kPointSizeColumn,  // written only where points are attenuated
     kFirstVarying,
 };
 

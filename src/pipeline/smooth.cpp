@@ -83,7 +83,8 @@ void SmoothShapes::line(int a, int b) {
 }
 
 void SmoothShapes::point(int v) {
-    const float size = m_state.raster.point_size;
+    const float size =
+        m_state.vertex.point_attenuated ? m_vertices.column(kPointSizeColumn)[v] : m_state.raster.point_size;
     const float radius = size <= 2 ? 1.0f : 0.5f * size;
     // Squared distance from the centre, in radii, where the rim begins: it is a pixel wide.
     const float reciprocal = 1.0f / radius;

@@ -42,7 +42,7 @@ void store_position(const VertexState& state, const Wide4& clip, ShadedVertices&
     const F32x16 oow = F32x16(1.0f) / clip.w;
     const auto window = [&](F32x16 c, int axis) {
         return fused_multiply_add(c * oow, F32x16(state.viewport_scale[axis]),
-                                         F32x16(state.viewport_translate[axis]));
+                                  F32x16(state.viewport_translate[axis]));
     };
     const F32x16 x = window(clip.x, 0), y = window(clip.y, 1), z = window(clip.z, 2);
     store(clip.x, out.column(kClipX) + at);
@@ -130,13 +130,24 @@ Needs needs_of(const VertexState& state) {
     return needs;
 }
 
+// Backwards, as the reference adds where it needs no other coordinate.
+F32x16 eye_z_alone(const VertexState& state, const Wide4& position) {
+    const float* const m = state.modelview;
+    const float row[4] = {m[2], m[6], m[10], m[14]};
+    return dot4(row, position);
+}
+
+F32x16 attenuated_point_size(const VertexState& state, F32x16 distance) {
+    const float* const k = state.point_attenuation;
+    const F32x16 sum = F32x16(k[0]) + distance * (F32x16(k[1]) + distance * F32x16(k[2]));
+    const F32x16 size = F32x16(state.point_size) * (F32x16(1.0f) / sqrt(abs(sum)));
+    return min(max(size, F32x16(state.point_size_min)), F32x16(state.point_size_max));
+}
+
 F32x16 fog_distance(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
                     const Wide4& position, const Wide4& eye) {
     if (state.fog_from_coordinate) return abs(fetch(input, kFogCoordinate, batch).x);
-    if (!state.fog_eye_z_alone) return abs(eye.z);
-    const float* const m = state.modelview;
-    const float row[4] = {m[2], m[6], m[10], m[14]};
-    return abs(dot4(row, position));
+    return abs(state.fog_eye_z_alone ? eye_z_alone(state, position) : eye.z);
 }
 
 void shade_batch(const VertexState& state, const Needs& needs, const VertexInput& input,
@@ -148,10 +159,15 @@ void shade_batch(const VertexState& state, const Needs& needs, const VertexInput
     TexgenSource source{position, position, {0.0f, 0.0f, 0.0f}};
     if (needs.eye) source.eye = transform(state.modelview, position);
     if (needs.normal) source.normal = transform_normal(state, fetch(input, kNormal, batch));
-    if (v.color >= 0) store_colors(state, input, batch, source.eye, source.normal, out, at);
+    if (v.color >= 0 || v.secondary >= 0)
+        store_colors(state, input, batch, source.eye, source.normal, out, at);
     if (v.fog >= 0) {
         store(fog_distance(state, input, batch, position, source.eye),
               out.column(kFirstVarying + v.fog) + at);
+    }
+    if (state.point_attenuated) {
+        const F32x16 z = needs.eye ? source.eye.z : eye_z_alone(state, position);
+        store(attenuated_point_size(state, abs(z)), out.column(kPointSizeColumn) + at);
     }
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
         const int first = v.texture[static_cast<size_t>(unit)];

@@ -85,6 +85,10 @@ struct VertexState {
     Lighting lighting;
     bool edge_flags = false;           // polygons may be drawn unfilled
     bool fog_from_coordinate = false;  // else from the eye distance
+    // Each vertex has a point size of its own: point_size * 1/sqrt(a + b d + c d²), within the bounds.
+    bool point_attenuated = false;
+    float point_size = 1, point_size_min = 0, point_size_max = 255;
+    float point_attenuation[3] = {1, 0, 0};
     std::array<TextureCoordinates, kMaxTextureUnits> texture;
     raster::Varyings varyings;
     bool interpolated_color = true;

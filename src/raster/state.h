@@ -247,6 +247,7 @@ struct FragmentState {
     bool has_destination_alpha = true;
 
     float constant_color[4] = {1, 1, 1, 1};
+    float constant_secondary[3] = {};  // where a secondary colour is added and no varying holds it
     float alpha_reference = 0;
     float fog_color[4] = {};
     // Linear: scale * z + bias; exponential: 2^-(scale * z); squared: 2^-(scale * z)^2.

@@ -105,6 +105,8 @@ const std::vector<ValidCall>& valid_calls() {
         {"glPixelMap(f|ui|us)v", {GL_PIXEL_MAP_R_TO_R, 2, in}},
         {"glPixelStore[fi]", {GL_PACK_ALIGNMENT, 1.0}},
         {"glPixelTransfer[fi]", {GL_RED_SCALE, 1.0}},
+        {"glPointParameter[fi](ARB|EXT|NV|SGIS)?", {GL_POINT_SIZE_MAX, 4.0}},
+        {"glPointParameter[fi]v(ARB|EXT|NV|SGIS)?", {GL_POINT_DISTANCE_ATTENUATION, in}},
         {"glPolygonMode", {GL_FRONT, GL_LINE}},
         {"glPolygonStipple", {in}},
         {"glPrioritizeTextures(EXT)?", {1, in, in}},

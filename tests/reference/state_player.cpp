@@ -144,6 +144,25 @@ void play_fog_mode(Player& p) {
                 enumerant_number(p, {TERRAZZO_E(GL_LINEAR), TERRAZZO_E(GL_EXP), TERRAZZO_E(GL_EXP2)}));
 }
 
+// PopAttrib does not restore these two in the reference, so they stay as they are while something is saved.
+void play_fog_sources(Player& p) {
+    const GLfloat source = enumerant_number(p, {TERRAZZO_E(GL_FOG_COORDINATE), TERRAZZO_E(GL_FRAGMENT_DEPTH)});
+    const unsigned choice = p.pick(3);
+    p.note(std::to_string(choice));
+    GLint depth = 0;
+    p.gl().GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+    if (depth > 0) return;
+    if (choice == 0) return p.gl().Fogf(GL_FOG_COORDINATE_SOURCE, source);
+    choice == 1 ? p.gl().Enable(GL_COLOR_SUM) : p.gl().Disable(GL_COLOR_SUM);
+}
+
+void play_point_parameter(Player& p) {
+    if (p.pick(2)) return p.gl().PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, p.numbers(3).data());
+    p.gl().PointParameterf(p.enumerant({TERRAZZO_E(GL_POINT_SIZE_MIN), TERRAZZO_E(GL_POINT_SIZE_MAX),
+                                        TERRAZZO_E(GL_POINT_FADE_THRESHOLD_SIZE)}),
+                           p.number());
+}
+
 void play_light_vector(Player& p) {
     const GLenum light = p.enumerant(kLights);
     const GLenum pname = p.enumerant(kLightVectors);
@@ -615,6 +634,11 @@ const Command kCommands[] = {
          p.gl().ShadeModel(p.enumerant({TERRAZZO_E(GL_FLAT), TERRAZZO_E(GL_SMOOTH)}));
      }},
     {"glPointSize", [](Player& p) { p.gl().PointSize(p.number()); }},
+    {"glPointParameter", play_point_parameter},
+    {"colour sum and source of fog coordinates", play_fog_sources},
+    // Not of a unit: the reference's PopAttrib makes that one 0.
+    {"texture bias",
+     [](Player& p) { p.gl().TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, p.moderate_number()); }},
     {"glLineWidth", [](Player& p) { p.gl().LineWidth(p.number()); }},
     {"glLineStipple",
      [](Player& p) {

@@ -44,6 +44,7 @@ constexpr Variable kVariables[] = {
     {TERRAZZO_NAME(GL_FOG_START), 1, false},
     {TERRAZZO_NAME(GL_FOG_END), 1, false},
     {TERRAZZO_NAME(GL_FOG_INDEX), 1, false},
+    {TERRAZZO_NAME(GL_FOG_COORDINATE_SOURCE), 1},
     {TERRAZZO_NAME(GL_SHADE_MODEL), 1},
     {TERRAZZO_NAME(GL_COLOR_MATERIAL_FACE), 1},
     {TERRAZZO_NAME(GL_COLOR_MATERIAL_PARAMETER), 1},
@@ -52,6 +53,11 @@ constexpr Variable kVariables[] = {
     {TERRAZZO_NAME(GL_LIGHT_MODEL_TWO_SIDE), 1},
     {TERRAZZO_NAME(GL_LIGHT_MODEL_COLOR_CONTROL), 1},
     {TERRAZZO_NAME(GL_POINT_SIZE), 1, false},
+    {TERRAZZO_NAME(GL_POINT_SIZE_MIN), 1, false},
+    {TERRAZZO_NAME(GL_POINT_SIZE_MAX), 1, false},
+    {TERRAZZO_NAME(GL_POINT_FADE_THRESHOLD_SIZE), 1, false},
+    {TERRAZZO_NAME(GL_POINT_DISTANCE_ATTENUATION), 3, false},
+    {TERRAZZO_NAME(GL_MAX_TEXTURE_LOD_BIAS), 1, false},
     {TERRAZZO_NAME(GL_LINE_WIDTH), 1, false},
     {TERRAZZO_NAME(GL_LINE_STIPPLE_PATTERN), 1},
     {TERRAZZO_NAME(GL_LINE_STIPPLE_REPEAT), 1},
@@ -242,6 +248,7 @@ constexpr Name kCapabilities[] = {
     TERRAZZO_NAME(GL_CLIP_PLANE5),
     TERRAZZO_NAME(GL_COLOR_LOGIC_OP),
     TERRAZZO_NAME(GL_COLOR_MATERIAL),
+    TERRAZZO_NAME(GL_COLOR_SUM),
     TERRAZZO_NAME(GL_CULL_FACE),
     TERRAZZO_NAME(GL_DEPTH_TEST),
     TERRAZZO_NAME(GL_DITHER),
@@ -318,6 +325,7 @@ constexpr Parameter kTextureParameters[] = {
     {TERRAZZO_NAME(GL_TEXTURE_MIN_FILTER), 1, true}, {TERRAZZO_NAME(GL_TEXTURE_MAG_FILTER), 1, true},
     {TERRAZZO_NAME(GL_TEXTURE_WRAP_S), 1, true},     {TERRAZZO_NAME(GL_TEXTURE_WRAP_T), 1, true},
     {TERRAZZO_NAME(GL_TEXTURE_BORDER_COLOR), 4},     {TERRAZZO_NAME(GL_TEXTURE_PRIORITY), 1},
+    {TERRAZZO_NAME(GL_TEXTURE_LOD_BIAS), 1},
 };
 
 constexpr Name kTextureTargets[] = {TERRAZZO_NAME(GL_TEXTURE_1D), TERRAZZO_NAME(GL_TEXTURE_2D)};
@@ -343,6 +351,8 @@ constexpr Name kCoordinates[] = {TERRAZZO_NAME(GL_S), TERRAZZO_NAME(GL_T), TERRA
                                  TERRAZZO_NAME(GL_Q)};
 constexpr Name kClipPlanes[] = {TERRAZZO_NAME(GL_CLIP_PLANE0), TERRAZZO_NAME(GL_CLIP_PLANE1),
                                 TERRAZZO_NAME(GL_CLIP_PLANE5)};
+constexpr Name kFilterControls[] = {TERRAZZO_NAME(GL_TEXTURE_FILTER_CONTROL)};
+constexpr Parameter kFilterControlParameters[] = {{TERRAZZO_NAME(GL_TEXTURE_LOD_BIAS), 1}};
 constexpr Name kEnvironments[] = {TERRAZZO_NAME(GL_TEXTURE_ENV)};
 
 // -0 is written as 0: which of them a matrix product gives depends, in the reference, on when it last looked
@@ -448,6 +458,7 @@ std::vector<std::string> dump_state(const kit::Gl& gl) {
     dump_objects(kFaces, kMaterialParameters, gl.GetMaterialfv, gl.GetMaterialiv, dump);
     dump_objects(kCoordinates, kTexgenParameters, gl.GetTexGenfv, gl.GetTexGeniv, dump);
     dump_objects(kEnvironments, kEnvironmentParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
+    dump_objects(kFilterControls, kFilterControlParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
     dump_objects(kTextureTargets, kTextureParameters, gl.GetTexParameterfv, gl.GetTexParameteriv, dump);
     for (const Name& plane : kClipPlanes) {
         dump.push_back(

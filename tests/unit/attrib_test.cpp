@@ -25,6 +25,7 @@ void change_enables(const kit::Gl& gl) {
                               GL_BLEND,
                               GL_CLIP_PLANE0,
                               GL_CLIP_PLANE5,
+                              GL_COLOR_SUM,
                               GL_COLOR_LOGIC_OP,
                               GL_CULL_FACE,
                               GL_DEPTH_TEST,
@@ -83,6 +84,12 @@ void change_texture(const kit::Gl& gl) {
     gl.Enable(GL_TEXTURE_GEN_S);
     gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);
     gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, kColor);
+    gl.TexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 2);
+    gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, 3);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_DOT3_RGB);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_SRC2_ALPHA, GL_TEXTURE3);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND1_RGB, GL_ONE_MINUS_SRC_ALPHA);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_RGB_SCALE, 4);
     gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP);
     gl.TexGenfv(GL_R, GL_OBJECT_PLANE, kColor);
     gl.TexGenfv(GL_Q, GL_EYE_PLANE, kColor);
@@ -122,6 +129,8 @@ const Group kGroups[] = {
          gl.Fogf(GL_FOG_START, 3);
          gl.Fogf(GL_FOG_END, 4);
          gl.Fogf(GL_FOG_INDEX, 5);
+         gl.Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+         gl.Enable(GL_COLOR_SUM);
          gl.Fogfv(GL_FOG_COLOR, kColor);
      }},
     {GL_HINT_BIT, "hint",
@@ -144,6 +153,10 @@ const Group kGroups[] = {
     {GL_POINT_BIT, "point",
      [](auto& gl) {
          gl.PointSize(3);
+         gl.PointParameterf(GL_POINT_SIZE_MIN, 2);
+         gl.PointParameterf(GL_POINT_SIZE_MAX, 4);
+         gl.PointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 3);
+         gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, kColor);
          gl.Enable(GL_POINT_SMOOTH);
      }},
     {GL_POLYGON_BIT, "polygon",
@@ -239,6 +252,32 @@ TEST_F(Attrib, EnableBitSavesCapabilitiesAndNothingElse) {
     gl.PopAttrib();
     EXPECT_FALSE(gl.IsEnabled(GL_COLOR_MATERIAL));
     EXPECT_EQ(integer(GL_BLEND_SRC), GL_SRC_ALPHA);
+}
+
+TEST_F(Attrib, EveryUnitIsSaved) {
+    const auto unit_state = [&](GLenum unit) {
+        gl.ActiveTexture(unit);
+        const auto state = dump();
+        gl.ActiveTexture(GL_TEXTURE0);
+        return state;
+    };
+    const auto first = unit_state(GL_TEXTURE0), last = unit_state(GL_TEXTURE7);
+    gl.PushAttrib(GL_TEXTURE_BIT);
+    for (GLenum unit : {GL_TEXTURE0, GL_TEXTURE7}) {
+        gl.ActiveTexture(unit);
+        change_texture(gl);
+    }
+    gl.PopAttrib();
+    EXPECT_EQ(integer(GL_ACTIVE_TEXTURE), GL_TEXTURE0);
+    EXPECT_THAT(changed(first, unit_state(GL_TEXTURE0)), IsEmpty());
+    EXPECT_THAT(changed(last, unit_state(GL_TEXTURE7)), IsEmpty());
+    gl.PushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+    gl.ClientActiveTexture(GL_TEXTURE7);
+    gl.EnableClientState(GL_TEXTURE_COORD_ARRAY);
+    gl.PopClientAttrib();
+    EXPECT_EQ(integer(GL_CLIENT_ACTIVE_TEXTURE), GL_TEXTURE0);
+    gl.ClientActiveTexture(GL_TEXTURE7);
+    EXPECT_FALSE(gl.IsEnabled(GL_TEXTURE_COORD_ARRAY));
 }
 
 TEST_F(Attrib, NestedEntriesAreIndependent) {

@@ -132,6 +132,7 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
     if (k.separate_specular) {
         const int first = state.varyings.secondary;
         const auto second = [&](int i) {
+            if (first < 0) return F32x16(state.constant_secondary[i]);
             return k.flat_color ? at.constant(first + i) : at.varying(first + i) * w;
         };
         color.r = color.r + second(0);

@@ -209,6 +209,44 @@ void fog(const Gl& gl, Dice& dice) {
     });
 }
 
+// Secondary colours that vary or do not, with and without lighting, shading and fog.
+void color_sum(const Gl& gl, Dice& dice) {
+    choose_perspective(gl, dice);
+    gl.Enable(GL_COLOR_SUM);
+    if (dice.chance()) gl.ShadeModel(GL_FLAT);
+    if (dice.pick(4) == 0) {
+        gl.Enable(GL_LIGHTING);
+        gl.Enable(GL_LIGHT0);
+        gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
+                       dice.one_of({GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR}));
+    }
+    if (dice.chance()) gl.Enable(GL_FOG);
+    const bool primary = dice.chance(), secondary = dice.chance();
+    gl.Color4fv(dice.numbers<4>(-0.1f, 1.1f).data());
+    gl.SecondaryColor3fv(dice.numbers<3>(-0.1f, 1.1f).data());
+    smooth_triangles(gl, dice, 30, [&] {
+        if (primary) gl.Color4fv(dice.numbers<4>(-0.1f, 1.1f).data());
+        if (secondary) gl.SecondaryColor3fv(dice.numbers<3>(-0.1f, 1.1f).data());
+    });
+}
+
+void fog_coordinates(const Gl& gl, Dice& dice) {
+    choose_perspective(gl, dice);
+    gl.Enable(GL_FOG);
+    gl.Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    gl.Fogi(GL_FOG_MODE, dice.one_of({GL_LINEAR, GL_EXP, GL_EXP2}));
+    gl.Fogf(GL_FOG_DENSITY, dice.number(0, 1));
+    gl.Fogf(GL_FOG_START, dice.number(-1, 1));
+    gl.Fogf(GL_FOG_END, dice.number(1, 3));
+    gl.Fogfv(GL_FOG_COLOR, dice.numbers<4>(0, 1).data());
+    const bool varies = dice.pick(4) > 0;
+    gl.FogCoordf(dice.number(-1, 3));
+    smooth_triangles(gl, dice, 30, [&] {
+        gl.Color4fv(dice.numbers<4>(0, 1).data());
+        if (varies) gl.FogCoordf(dice.number(-1, 3));
+    });
+}
+
 // Every environment with every base format; texels are looked up exactly.
 void environments(const Gl& gl, Dice& dice) {
     pixel_view(gl);
@@ -244,6 +282,8 @@ std::vector<Trial> fragment_trials() {
         {"flat_colors", flat_colors, 10, kExact},
         {"slivers", slivers, 20, kClose},
         {"fog", fog, 24, kClose},
+        {"color_sum", color_sum, 24, kClose},
+        {"fog_coordinates", fog_coordinates, 24, kClose},
         {"environments", environments, 24, kExact},
         {"blend", blend, 12, kExact, GL_UNSIGNED_BYTE},
         {"blend_bgra", blend, 4, kExact, GL_UNSIGNED_BYTE, OSMESA_BGRA},
