@@ -4,25 +4,17 @@
 #include <GL/glx.h>
 
 #include <algorithm>
-#include <map>
+
+#include "frontends/window/choose.h"
 
 namespace terrazzo::glx {
 namespace {
 
-// How a value that the program asks for is compared, and how fitting configurations are sorted by it (GLX 1.4
-// table 3.4).
-enum class Match { kExact, kAtLeast, kMask, kIgnored };
-enum class Order { kNone, kSmaller, kLarger, kTotal };
+using window::kDontCare;
+using window::Match;
+using window::Order;
 
-struct Attribute {
-    int name;
-    Match match;
-    Order order;
-    int standard;  // when the list does not name it; kDontCare: anything fits
-    int (*value)(const Config&);
-};
-
-constexpr int kDontCare = static_cast<int>(GLX_DONT_CARE);
+static_assert(static_cast<int>(GLX_DONT_CARE) == kDontCare);
 
 constexpr int kDrawables = GLX_WINDOW_BIT | GLX_PIXMAP_BIT | GLX_PBUFFER_BIT;
 
@@ -35,12 +27,12 @@ int visual_type(const Config& c) {
 }
 
 // In the order in which fitting configurations are compared.
-constexpr Attribute kAttributes[] = {
+constexpr window::Attribute<Config> kAttributes[] = {
     {GLX_CONFIG_CAVEAT, Match::kExact, Order::kNone, kDontCare, [](const Config&) { return GLX_NONE; }},
-    {GLX_RED_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.visual.red_bits; }},
-    {GLX_GREEN_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.visual.green_bits; }},
-    {GLX_BLUE_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.visual.blue_bits; }},
-    {GLX_ALPHA_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.alpha_bits; }},
+    {GLX_RED_SIZE, Match::kAtLeast, Order::kColorTotal, 0, [](const Config& c) { return c.visual.red_bits; }},
+    {GLX_GREEN_SIZE, Match::kAtLeast, Order::kColorTotal, 0, [](const Config& c) { return c.visual.green_bits; }},
+    {GLX_BLUE_SIZE, Match::kAtLeast, Order::kColorTotal, 0, [](const Config& c) { return c.visual.blue_bits; }},
+    {GLX_ALPHA_SIZE, Match::kAtLeast, Order::kColorTotal, 0, [](const Config& c) { return c.alpha_bits; }},
     {GLX_BUFFER_SIZE, Match::kAtLeast, Order::kSmaller, 0, color_bits},
     {GLX_DOUBLEBUFFER, Match::kExact, Order::kSmaller, kDontCare,
      [](const Config& c) { return int{c.double_buffered}; }},
@@ -49,10 +41,10 @@ constexpr Attribute kAttributes[] = {
     {GLX_SAMPLES, Match::kAtLeast, Order::kSmaller, 0, [](const Config&) { return 0; }},
     {GLX_DEPTH_SIZE, Match::kAtLeast, Order::kLarger, 0, [](const Config& c) { return c.depth_bits; }},
     {GLX_STENCIL_SIZE, Match::kAtLeast, Order::kSmaller, 0, [](const Config& c) { return c.stencil_bits; }},
-    {GLX_ACCUM_RED_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.accum_bits; }},
-    {GLX_ACCUM_GREEN_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.accum_bits; }},
-    {GLX_ACCUM_BLUE_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.accum_bits; }},
-    {GLX_ACCUM_ALPHA_SIZE, Match::kAtLeast, Order::kTotal, 0, [](const Config& c) { return c.accum_bits; }},
+    {GLX_ACCUM_RED_SIZE, Match::kAtLeast, Order::kAccumTotal, 0, [](const Config& c) { return c.accum_bits; }},
+    {GLX_ACCUM_GREEN_SIZE, Match::kAtLeast, Order::kAccumTotal, 0, [](const Config& c) { return c.accum_bits; }},
+    {GLX_ACCUM_BLUE_SIZE, Match::kAtLeast, Order::kAccumTotal, 0, [](const Config& c) { return c.accum_bits; }},
+    {GLX_ACCUM_ALPHA_SIZE, Match::kAtLeast, Order::kAccumTotal, 0, [](const Config& c) { return c.accum_bits; }},
     {GLX_X_VISUAL_TYPE, Match::kExact, Order::kNone, kDontCare, visual_type},
     {GLX_FBCONFIG_ID, Match::kExact, Order::kNone, kDontCare, [](const Config& c) { return c.id; }},
     {GLX_LEVEL, Match::kExact, Order::kNone, 0, [](const Config&) { return 0; }},
@@ -83,102 +75,21 @@ constexpr Attribute kAttributes[] = {
     {GLX_Y_INVERTED_EXT, Match::kExact, Order::kNone, kDontCare, [](const Config&) { return 0; }},
 };
 
-const Attribute* find(int name) {
-    const auto found = std::ranges::find(kAttributes, name, &Attribute::name);
-    return found == std::end(kAttributes) ? nullptr : found;
-}
-
-using Wishes = std::map<int, int>;  // attribute to value
-
-int wish(const Wishes& wishes, const Attribute& attribute) {
-    const auto found = wishes.find(attribute.name);
-    return found == wishes.end() ? attribute.standard : found->second;
-}
-
-bool fits(const Config& config, const Attribute& attribute, int wanted) {
-    if (wanted == kDontCare) return true;
-    const int has = attribute.value(config);
-    switch (attribute.match) {
-        case Match::kExact:
-            return has == wanted;
-        case Match::kAtLeast:
-            return has >= wanted;
-        case Match::kMask:
-            return (has & wanted) == wanted;
-        case Match::kIgnored:
-            return true;
-    }
-    return false;
-}
-
-bool fits(const Config& config, const Wishes& wishes) {
-    return std::ranges::all_of(kAttributes,
-                               [&](const Attribute& a) { return fits(config, a, wish(wishes, a)); });
-}
-
-// The bits of all components that the program asked for, of the colour or the accumulation buffer.
-int total(const Config& config, const Wishes& wishes, std::initializer_list<int> names) {
-    int sum = 0;
-    for (const int name : names) {
-        const Attribute& a = *find(name);
-        const int wanted = wish(wishes, a);
-        if (wanted > 0) sum += a.value(config);
-    }
-    return sum;
-}
-
-// Negative when `a` comes first.
-int compare(const Config& a, const Config& b, const Wishes& wishes) {
-    const auto colors = {GLX_RED_SIZE, GLX_GREEN_SIZE, GLX_BLUE_SIZE, GLX_ALPHA_SIZE};
-    const auto accums = {GLX_ACCUM_RED_SIZE, GLX_ACCUM_GREEN_SIZE, GLX_ACCUM_BLUE_SIZE, GLX_ACCUM_ALPHA_SIZE};
-    for (const Attribute& attribute : kAttributes) {
-        int difference = 0;
-        switch (attribute.order) {
-            case Order::kNone:
-                break;
-            case Order::kSmaller:
-                difference = attribute.value(a) - attribute.value(b);
-                break;
-            case Order::kLarger:
-                difference = attribute.value(b) - attribute.value(a);
-                break;
-            case Order::kTotal:
-                if (attribute.name == GLX_RED_SIZE)
-                    difference = total(b, wishes, colors) - total(a, wishes, colors);
-                if (attribute.name == GLX_ACCUM_RED_SIZE)
-                    difference = total(b, wishes, accums) - total(a, wishes, accums);
-        }
-        if (difference != 0) return difference;
-    }
-    return 0;
-}
-
-std::vector<const Config*> choose(const std::vector<Config>& configs, const Wishes& wishes) {
-    std::vector<const Config*> out;
-    const auto id = wishes.find(GLX_FBCONFIG_ID);
-    for (const Config& config : configs) {
-        // An id says everything: other attributes are ignored then.
-        const bool by_id = id != wishes.end() && id->second != kDontCare;
-        if (by_id ? config.id == id->second : fits(config, wishes)) out.push_back(&config);
-    }
-    std::ranges::stable_sort(out,
-                             [&](const Config* a, const Config* b) { return compare(*a, *b, wishes) < 0; });
-    return out;
-}
+constexpr window::Chooser<Config> kChooser{kAttributes};
 
 }  // namespace
 
 std::vector<const Config*> choose(const std::vector<Config>& configs, const int* list) {
-    Wishes wishes;
+    window::Wishes wishes;
     for (; list && *list != None; list += 2) {
-        if (!find(list[0])) return {};
+        if (!kChooser.find(list[0])) return {};
         wishes[list[0]] = list[1];
     }
-    return choose(configs, wishes);
+    return kChooser.choose(configs, wishes, GLX_FBCONFIG_ID);
 }
 
 std::vector<const Config*> choose_for_visual(const std::vector<Config>& configs, const int* list) {
-    Wishes wishes{{GLX_DOUBLEBUFFER, 0}};
+    window::Wishes wishes{{GLX_DOUBLEBUFFER, 0}};
     bool rgba = false;
     while (list && *list != None) {
         const int name = *list++;
@@ -193,17 +104,16 @@ std::vector<const Config*> choose_for_visual(const std::vector<Config>& configs,
                 wishes[name] = 1;
                 break;
             default:
-                if (!find(name)) return {};
+                if (!kChooser.find(name)) return {};
                 wishes[name] = *list++;
         }
     }
     if (!rgba) return {};  // there are no colour-index visuals
-    return choose(configs, wishes);
+    return kChooser.choose(configs, wishes, GLX_FBCONFIG_ID);
 }
 
 std::optional<int> attribute(const Config& config, int name) {
-    if (const Attribute* known = find(name)) return known->value(config);
-    return {};
+    return kChooser.value(config, name);
 }
 
 std::vector<Config> make_configs(const x11::Screen& screen, int number, int first_id) {

@@ -1,0 +1,279 @@
+// Contexts (EGL 1.5 §3.7, EGL_KHR_create_context).
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <exception>
+#include <optional>
+
+#include "frontends/egl/display.h"
+#include "gl/generated/commands.h"
+#include "gl/generated/dispatch.h"
+#include "gl/surface.h"
+
+namespace egl = terrazzo::egl;
+namespace gl = terrazzo::gl;
+namespace window = terrazzo::window;
+
+namespace {
+
+struct Request {
+    int major = 1, minor = 0;
+    int profile = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT;
+    bool forward_compatible = false;
+    EGLint release_behavior = EGL_CONTEXT_RELEASE_BEHAVIOR_FLUSH_KHR;
+};
+
+// EGL_SUCCESS, or why the list is refused.
+EGLint parse(const EGLint* list, Request& out) {
+    for (; list && *list != EGL_NONE; list += 2) {
+        const EGLint value = list[1];
+        switch (list[0]) {
+            case EGL_CONTEXT_MAJOR_VERSION:
+                out.major = value;
+                break;
+            case EGL_CONTEXT_MINOR_VERSION:
+                out.minor = value;
+                break;
+            case EGL_CONTEXT_OPENGL_PROFILE_MASK:
+                out.profile = value;
+                break;
+            case EGL_CONTEXT_FLAGS_KHR:
+                if (value &
+                    ~(EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR | EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR |
+                      EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR))
+                    return EGL_BAD_ATTRIBUTE;
+                out.forward_compatible |= (value & EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR) != 0;
+                break;
+            case EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE:
+                out.forward_compatible = value != 0;
+                break;
+            case EGL_CONTEXT_OPENGL_DEBUG:
+            case EGL_CONTEXT_OPENGL_ROBUST_ACCESS:
+            case EGL_CONTEXT_OPENGL_NO_ERROR_KHR:
+                if (value != EGL_TRUE && value != EGL_FALSE) return EGL_BAD_ATTRIBUTE;
+                break;
+            case EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY:
+                if (value != EGL_NO_RESET_NOTIFICATION && value != EGL_LOSE_CONTEXT_ON_RESET)
+                    return EGL_BAD_ATTRIBUTE;
+                break;
+            case EGL_CONTEXT_RELEASE_BEHAVIOR_KHR:
+                if (value != EGL_CONTEXT_RELEASE_BEHAVIOR_FLUSH_KHR &&
+                    value != EGL_CONTEXT_RELEASE_BEHAVIOR_NONE_KHR)
+                    return EGL_BAD_ATTRIBUTE;
+                out.release_behavior = value;
+                break;
+            default:
+                return EGL_BAD_ATTRIBUTE;
+        }
+    }
+    const int version = out.major * 10 + out.minor;
+    if (out.major < 1 || out.minor < 0 || out.minor > 9) return EGL_BAD_MATCH;
+    // Profiles began with OpenGL 3.2; the mask is ignored before.
+    if (version >= 32 && out.profile != EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT) return EGL_BAD_MATCH;
+    if (version < 30 && out.forward_compatible) return EGL_BAD_MATCH;
+    if (version > gl::kGlMajorVersion * 10 + gl::kGlMinorVersion) return EGL_BAD_MATCH;
+    return EGL_SUCCESS;
+}
+
+// Null for EGL_NO_CONTEXT and for what is none.
+std::shared_ptr<egl::Context> find_context(egl::Display& display, EGLContext handle) {
+    const auto guard = egl::lock();
+    const auto found = display.contexts.find(handle);
+    return found == display.contexts.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<egl::Surface> find_surface(egl::Display& display, EGLSurface handle) {
+    const auto guard = egl::lock();
+    const auto found = display.surfaces.find(handle);
+    return found == display.surfaces.end() ? nullptr : found->second;
+}
+
+bool compatible(const egl::Context& context, const egl::Surface& surface) {
+    return !context.config || context.config->color == surface.config->color;
+}
+
+void release() {
+    if (const auto context = egl::current_context()) {
+        context->draw = context->read = nullptr;
+        context->display = EGL_NO_DISPLAY;
+    }
+    window::make_current({});
+}
+
+}  // namespace
+
+EGLBoolean eglBindAPI(EGLenum api) {
+    if (api != EGL_OPENGL_API) return egl::fail(EGL_BAD_PARAMETER);
+    egl::current_api() = api;
+    egl::set_error(EGL_SUCCESS);
+    return EGL_TRUE;
+}
+
+EGLenum eglQueryAPI() {
+    egl::set_error(EGL_SUCCESS);
+    return egl::current_api();
+}
+
+EGLContext eglCreateContext(EGLDisplay handle, EGLConfig config_handle, EGLContext share,
+                            const EGLint* attributes) try {
+    egl::Display* const display = egl::initialized_display(handle);
+    if (!display) return EGL_NO_CONTEXT;
+    const egl::Config* const config = display->find(config_handle);
+    if (config_handle != EGL_NO_CONFIG_KHR && !config) return egl::fail(EGL_BAD_CONFIG);
+    if (egl::current_api() != EGL_OPENGL_API) return egl::fail(EGL_BAD_MATCH);
+    const auto partner = find_context(*display, share);
+    if (share != EGL_NO_CONTEXT && !partner) return egl::fail(EGL_BAD_CONTEXT);
+    Request wanted;
+    if (const EGLint error = parse(attributes, wanted); error != EGL_SUCCESS) return egl::fail(error);
+    auto context = std::make_shared<egl::Context>();
+    context->config = config;
+    context->release_behavior = wanted.release_behavior;
+    gl::Config asked;
+    asked.double_buffered = true;
+    if (config) {
+        asked.depth_bits = config->depth_bits;
+        asked.stencil_bits = config->stencil_bits;
+    }
+    context->gl = gl::create_context(asked, partner ? partner->gl.get() : nullptr);
+    egl::set_error(EGL_SUCCESS);
+    const auto guard = egl::lock();
+    const EGLContext made = context.get();
+    display->contexts.emplace(made, std::move(context));
+    return made;
+} catch (const std::exception&) {
+    return egl::fail(EGL_BAD_ALLOC);
+}
+
+// A thread that has it current keeps it.
+EGLBoolean eglDestroyContext(EGLDisplay handle, EGLContext context) {
+    egl::Display* const display = egl::initialized_display(handle);
+    if (!display) return EGL_FALSE;
+    const auto last = find_context(*display, context);
+    if (!last) return egl::fail(EGL_BAD_CONTEXT);
+    const auto guard = egl::lock();
+    display->contexts.erase(context);
+    egl::set_error(EGL_SUCCESS);
+    return EGL_TRUE;
+}
+
+EGLBoolean eglMakeCurrent(EGLDisplay handle, EGLSurface draw, EGLSurface read,
+                          EGLContext context_handle) try {
+    const bool nothing = draw == EGL_NO_SURFACE && read == EGL_NO_SURFACE && context_handle == EGL_NO_CONTEXT;
+    if (nothing) {
+        // Also of a display that is terminated.
+        if (!egl::find_display(handle)) return egl::fail(EGL_BAD_DISPLAY);
+        release();
+        egl::set_error(EGL_SUCCESS);
+        return EGL_TRUE;
+    }
+    egl::Display* const display = egl::initialized_display(handle);
+    if (!display) return EGL_FALSE;
+    const auto context = find_context(*display, context_handle);
+    if (!context) return egl::fail(context_handle == EGL_NO_CONTEXT ? EGL_BAD_MATCH : EGL_BAD_CONTEXT);
+    const auto to = find_surface(*display, draw), from = find_surface(*display, read);
+    if ((draw != EGL_NO_SURFACE && !to) || (read != EGL_NO_SURFACE && !from))
+        return egl::fail(EGL_BAD_SURFACE);
+    if (!to != !from) return egl::fail(EGL_BAD_MATCH);
+    if (to && (!compatible(*context, *to) || !compatible(*context, *from))) return egl::fail(EGL_BAD_MATCH);
+    if (to) {
+        to->buffers->follow_window(gl::Follow::kOncePerPicture);
+        if (from != to) from->buffers->follow_window(gl::Follow::kOncePerPicture);
+    }
+    const auto before = egl::current_context();
+    if (!window::make_current({context, to ? to->buffers : nullptr, from ? from->buffers : nullptr}))
+        return egl::fail(EGL_BAD_ACCESS);
+    if (before && before != context) before->draw = before->read = nullptr;
+    context->draw = to;
+    context->read = from;
+    context->display = handle;
+    egl::set_error(EGL_SUCCESS);
+    return EGL_TRUE;
+} catch (const std::exception&) {
+    return egl::fail(EGL_BAD_ALLOC);
+}
+
+EGLContext eglGetCurrentContext() {
+    egl::set_error(EGL_SUCCESS);
+    return egl::current_context().get();
+}
+
+EGLSurface eglGetCurrentSurface(EGLint which) {
+    if (which != EGL_DRAW && which != EGL_READ) return egl::fail(EGL_BAD_PARAMETER);
+    egl::set_error(EGL_SUCCESS);
+    const auto context = egl::current_context();
+    if (!context) return EGL_NO_SURFACE;
+    return (which == EGL_DRAW ? context->draw : context->read).get();
+}
+
+EGLDisplay eglGetCurrentDisplay() {
+    egl::set_error(EGL_SUCCESS);
+    const auto context = egl::current_context();
+    return context ? context->display : EGL_NO_DISPLAY;
+}
+
+EGLBoolean eglQueryContext(EGLDisplay handle, EGLContext context_handle, EGLint attribute, EGLint* value) {
+    egl::Display* const display = egl::initialized_display(handle);
+    if (!display) return EGL_FALSE;
+    const auto context = find_context(*display, context_handle);
+    if (!context) return egl::fail(EGL_BAD_CONTEXT);
+    EGLint answer = 0;
+    switch (attribute) {
+        case EGL_CONFIG_ID:
+            answer = context->config ? context->config->id : 0;
+            break;
+        case EGL_CONTEXT_CLIENT_TYPE:
+            answer = EGL_OPENGL_API;
+            break;
+        case EGL_CONTEXT_CLIENT_VERSION:
+            answer = gl::kGlMajorVersion;
+            break;
+        case EGL_RENDER_BUFFER:
+            if (!context->draw) {
+                answer = EGL_NONE;
+            } else {
+                const bool single =
+                    context->draw->kind == egl::Kind::kPixmap || !context->draw->wants_back_buffer;
+                answer = single ? EGL_SINGLE_BUFFER : EGL_BACK_BUFFER;
+            }
+            break;
+        case EGL_CONTEXT_RELEASE_BEHAVIOR_KHR:
+            answer = context->release_behavior;
+            break;
+        default:
+            return egl::fail(EGL_BAD_ATTRIBUTE);
+    }
+    if (!value) return egl::fail(EGL_BAD_PARAMETER);
+    *value = answer;
+    egl::set_error(EGL_SUCCESS);
+    return EGL_TRUE;
+}
+
+EGLBoolean eglWaitClient() {
+    egl::set_error(EGL_SUCCESS);
+    if (const auto context = egl::current_context()) gl::finish(*context->gl);
+    return EGL_TRUE;
+}
+
+EGLBoolean eglWaitGL() {
+    return eglWaitClient();
+}
+
+// A program that has changed its window's size waits for the window system and then draws.
+EGLBoolean eglWaitNative(EGLint engine) try {
+    if (engine != EGL_CORE_NATIVE_ENGINE) return egl::fail(EGL_BAD_PARAMETER);
+    egl::set_error(EGL_SUCCESS);
+    const auto context = egl::current_context();
+    if (!context || !context->draw) return EGL_TRUE;
+    context->draw->buffers->follow_window(gl::Follow::kNow);
+    gl::follow_drawables(*context->gl);
+    return EGL_TRUE;
+} catch (const std::exception&) {
+    return egl::fail(EGL_BAD_ALLOC);
+}
+
+EGLBoolean eglReleaseThread() {
+    if (egl::current_context()) release();
+    egl::current_api() = EGL_NONE;
+    egl::set_error(EGL_SUCCESS);
+    return EGL_TRUE;
+}
