@@ -116,7 +116,9 @@ void bitmap(Context& ctx, GLsizei width, GLsizei height, GLfloat xorig, GLfloat 
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
     RasterPosition& position = ctx.raster_position;
     if (!position.valid) return;
-    if (bitmap && width > 0 && height > 0) {
+    if (ctx.render_mode.mode != GL_RENDER) {
+        capture_raster(ctx, GL_BITMAP_TOKEN);
+    } else if (bitmap && width > 0 && height > 0) {
         draw_bitmap(ctx, width, height, corner(position.window[0], xorig), corner(position.window[1], yorig),
                     bitmap);
     }

@@ -28,6 +28,7 @@
 #include "gl/queries.h"
 #include "gl/raster_position.h"
 #include "gl/rasterization.h"
+#include "gl/render_mode.h"
 #include "gl/surface.h"
 #include "gl/texture.h"
 #include "gl/vertex.h"
@@ -59,6 +60,7 @@ struct Context {
     ErrorState error;
     VertexState vertex;
     RasterPosition raster_position;
+    RenderModeState render_mode;
     ArrayState arrays;
     MatrixState matrix;
     LightingState lighting;

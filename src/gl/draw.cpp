@@ -20,6 +20,7 @@ void begin_change(Context& ctx, Dirty what) {
 
 void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
                      const pipeline::VertexRange& range, bool w_is_one) {
+    if (ctx.render_mode.mode != GL_RENDER) return capture_primitives(ctx, mode, input, range, w_is_one);
     validate(ctx, input, w_is_one);
     ctx.surface.drawn = true;
     ctx.renderer.draw(ctx.drawing.state, input, translate_mode(mode), range);
@@ -45,6 +46,7 @@ void clear(Context& ctx, GLbitfield mask) {
         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
     if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
     flush_vertices(ctx);
+    if (ctx.render_mode.mode != GL_RENDER) return;
     const raster::TargetFormat& target = ctx.surface.format;
     const ColorBufferState& color = ctx.fragment_ops.color;
     const ClearValues& values = ctx.framebuffer.clear;

@@ -143,6 +143,7 @@ void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLe
     if (rule.code == GL_NO_ERROR) rule = check_buffer(ctx.surface.format, format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     if (!ctx.raster_position.valid || !pixels) return;
+    if (ctx.render_mode.mode != GL_RENDER) return capture_raster(ctx, GL_DRAW_PIXEL_TOKEN);
     const PixelGrid grid = make_pixel_grid(ctx, width, height);
     if (!grid.empty()) draw_rows(ctx, format, grid, ClientRows(ctx, width, format, type, pixels));
 }

@@ -53,6 +53,14 @@ void get_doublev(Context& ctx, GLenum pname, GLdouble* data) {
 }
 
 void get_pointerv(Context& ctx, GLenum pname, void** params) {
+    if (pname == GL_SELECTION_BUFFER_POINTER) {
+        *params = ctx.render_mode.selection.buffer;
+        return;
+    }
+    if (pname == GL_FEEDBACK_BUFFER_POINTER) {
+        *params = ctx.render_mode.feedback.buffer;
+        return;
+    }
     const ArrayState& arrays = ctx.arrays;
     const ClientArray* array = nullptr;
     switch (pname) {

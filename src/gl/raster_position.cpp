@@ -175,6 +175,7 @@ void raster_pos4f(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     transform_texture_coordinates(ctx, object, eye, made);
     made.valid = true;
     ctx.raster_position = made;
+    if (ctx.render_mode.mode == GL_SELECT) note_hit(ctx, made.window[2]);
 }
 
 void window_pos3f(Context& ctx, GLfloat x, GLfloat y, GLfloat z) {
@@ -189,6 +190,7 @@ void window_pos3f(Context& ctx, GLfloat x, GLfloat y, GLfloat z) {
     for (std::size_t unit = 0; unit < kMaxTextureUnits; ++unit)
         raster.texture_coordinates[unit] = ctx.vertex.current.values[pipeline::kTexture0 + unit];
     raster.valid = true;
+    if (ctx.render_mode.mode == GL_SELECT) note_hit(ctx, raster.window[2]);
 }
 
 }  // namespace terrazzo::gl

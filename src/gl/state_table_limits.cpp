@@ -72,7 +72,11 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_ACCUM_GREEN_BITS, [](Context&, Out& out) { out = 0; }},
     {GL_ACCUM_BLUE_BITS, [](Context&, Out& out) { out = 0; }},
     {GL_ACCUM_ALPHA_BITS, [](Context&, Out& out) { out = 0; }},
-    {GL_RENDER_MODE, [](Context&, Out& out) { out = GL_RENDER; }},
+    {GL_RENDER_MODE, [](Context& c, Out& out) { out = c.render_mode.mode; }},
+    {GL_NAME_STACK_DEPTH, [](Context& c, Out& out) { out = c.render_mode.selection.depth; }},
+    {GL_SELECTION_BUFFER_SIZE, [](Context& c, Out& out) { out = c.render_mode.selection.size; }},
+    {GL_FEEDBACK_BUFFER_SIZE, [](Context& c, Out& out) { out = c.render_mode.feedback.size; }},
+    {GL_FEEDBACK_BUFFER_TYPE, [](Context& c, Out& out) { out = c.render_mode.feedback.type; }},
 }));
 
 }  // namespace

@@ -216,7 +216,8 @@ bool is_identity(const Matrix4& m) {
     return std::equal(m.m, m.m + 16, i.m);
 }
 
-// Texture coordinates of a unit that samples something.
+}  // namespace
+
 void make_texture_coordinates(Context& ctx, int number, pipeline::TextureCoordinates& out) {
     const TextureUnit& state = ctx.texture.units[static_cast<std::size_t>(number)];
     const StackMatrix& matrix = ctx.matrix.texture[static_cast<std::size_t>(number)].top();
@@ -230,6 +231,8 @@ void make_texture_coordinates(Context& ctx, int number, pipeline::TextureCoordin
         std::copy_n(plane.data(), 4, out.planes[c]);
     }
 }
+
+namespace {
 
 // Whether q may be other than 1 in the coordinates of unit `number`.
 bool may_project(const pipeline::TextureCoordinates& coordinates, int number,

@@ -15,6 +15,9 @@ struct Context;
 // matrix is settled: both say which space lighting happens in.
 void make_lighting(const Context& ctx, const pipeline::VertexInput& input, pipeline::VertexState& vertex);
 
+// Texture coordinates of a unit that samples something, or that feedback asks for.
+void make_texture_coordinates(Context& ctx, int number, pipeline::TextureCoordinates& out);
+
 // What fragments go through that get their colours, texture coordinates and fog distance from the current
 // raster position, where `image` does not give them.
 std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx, raster::PixelImage image);

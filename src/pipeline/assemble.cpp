@@ -107,7 +107,7 @@ uint32_t chunk_primitives(PrimitiveMode mode, const VertexRange& range) {
 
 PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, ShadedVertices& pivot,
                                        uint32_t& stipple_counter, const DrawState& state,
-                                       const VertexInput& input)
+                                       const VertexInput& input, PrimitiveObserver* observer)
     : m_frame(frame),
       m_vertices(vertices),
       m_pivot(pivot),
@@ -115,7 +115,7 @@ PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, S
       m_input(input),
       m_geometry(geometry()),
       m_filled(triangle_setup(state)),
-      m_setup(frame, vertices, state),
+      m_setup(frame, vertices, state, observer),
       m_stages(m_setup, vertices, state, column_count(state.vertex), stipple_counter),
       m_clipper(state.vertex, vertices, column_count(state.vertex), state.raster.flat) {
     // Smooth shapes put four columns behind the front colours' (smooth.cpp).

@@ -15,7 +15,8 @@ namespace terrazzo::pipeline {
 class PrimitiveAssembler {
   public:
     PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, ShadedVertices& pivot,
-                       uint32_t& stipple_counter, const DrawState& state, const VertexInput& input);
+                       uint32_t& stipple_counter, const DrawState& state, const VertexInput& input,
+                       PrimitiveObserver* observer = nullptr);
 
     void draw(PrimitiveMode mode, const VertexRange& range);
 

@@ -3,6 +3,7 @@
 // gives. Operation for operation what the reference does (doc/reference.md §3, "Lines").
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pipeline/primitive_setup.h"
 #include "pipeline/snap.h"
@@ -101,6 +102,7 @@ int32_t first_centre(int32_t position, bool beyond) {
 
 void PrimitiveSetup::line(int a, int b) {
     flush();
+    if (m_observer) return m_observer->line(m_vertices, a, b, std::exchange(m_restarts, false));
     const float p[2] = {m_vertices.column(kWindowX)[a], m_vertices.column(kWindowY)[a]};
     const float q[2] = {m_vertices.column(kWindowX)[b], m_vertices.column(kWindowY)[b]};
     for (int i = 0; i < 2; ++i)

@@ -15,8 +15,8 @@ void PrimitiveStages::line(int a, int b, bool restarts) {
         copy_colors(b, kFlatEnd);
         a = kFlatEnd;
     }
+    if (restarts) restart_lines();
     if (!r.line_stipple) return solid_line(a, b);
-    if (restarts) m_stipple_counter = 0;
     stippled_line(a, b);
 }
 

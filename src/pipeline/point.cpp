@@ -18,6 +18,7 @@ int32_t first_pixel(int32_t position, int32_t size) {
 
 void PrimitiveSetup::point(int v) {
     flush();
+    if (m_observer) return m_observer->point(m_vertices, v);
     const float window_x = m_vertices.column(kWindowX)[v], window_y = m_vertices.column(kWindowY)[v];
     if (!is_window_coordinate(window_x) || !is_window_coordinate(window_y)) return;
     const float wanted =

@@ -26,8 +26,9 @@ TriangleSetup triangle_setup(const DrawState& state) {
     return setup;
 }
 
-PrimitiveSetup::PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, const DrawState& state)
-    : m_frame(frame), m_vertices(vertices), m_state(state), m_geometry(geometry()) {
+PrimitiveSetup::PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, const DrawState& state,
+                               PrimitiveObserver* observer)
+    : m_frame(frame), m_vertices(vertices), m_state(state), m_geometry(geometry()), m_observer(observer) {
     m_sink.frame = &frame;
     m_sink.allocate = [](PrimitiveSink& sink, int plane_count) {
         Arena& arena = static_cast<Sink&>(sink).frame->arena();
@@ -40,6 +41,13 @@ PrimitiveSetup::PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, con
 
 void PrimitiveSetup::flush() {
     if (m_batch.count == 0) return;
+    if (m_observer) {
+        const int count = m_batch.count;
+        m_batch.count = 0;
+        for (int i = 0; i < count; ++i)
+            m_observer->triangle(m_vertices, m_batch.v0[i], m_batch.v1[i], m_batch.v2[i]);
+        return;
+    }
     for (int i = m_batch.count; i < kBatchTriangles; ++i)
         m_batch.v0[i] = m_batch.v1[i] = m_batch.v2[i] = m_batch.v0[0];
     m_geometry.setup_triangles(*m_rules, m_vertices, m_batch, m_sink);

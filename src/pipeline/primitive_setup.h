@@ -7,6 +7,7 @@
 
 #include "pipeline/frame.h"
 #include "pipeline/geometry_table.h"
+#include "pipeline/primitive_observer.h"
 #include "pipeline/renderer.h"
 
 namespace terrazzo::pipeline {
@@ -16,7 +17,9 @@ TriangleSetup triangle_setup(const DrawState& state);
 
 class PrimitiveSetup {
   public:
-    PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, const DrawState& state);
+    // With an observer nothing is set up.
+    PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, const DrawState& state,
+                   PrimitiveObserver* observer);
     PrimitiveSetup(const PrimitiveSetup&) = delete;
     PrimitiveSetup& operator=(const PrimitiveSetup&) = delete;
 
@@ -34,6 +37,10 @@ class PrimitiveSetup {
     void point(int v);
     // A parallelogram along the major axis (line.cpp).
     void line(int a, int b);
+
+    bool is_observed() const { return m_observer != nullptr; }
+    // The next line is one where a line stipple would begin anew.
+    void restart_lines() { m_restarts = true; }
 
     static constexpr int kBatchTriangles = 16;
 
@@ -56,6 +63,8 @@ class PrimitiveSetup {
     Sink m_sink;
     const TriangleSetup* m_rules = nullptr;
     TriangleBatch m_batch;
+    PrimitiveObserver* const m_observer;
+    bool m_restarts = false;
 };
 
 }  // namespace terrazzo::pipeline

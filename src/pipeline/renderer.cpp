@@ -21,6 +21,13 @@ void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveM
     PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
 }
 
+void Renderer::observe(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
+                       const VertexRange& range, PrimitiveObserver& observer) {
+    const FloatEnvironment environment;
+    PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input, &observer)
+        .draw(mode, range);
+}
+
 void Renderer::draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
                     const PixelRect& rect) {
     if (m_frame.target() == nullptr) return;

@@ -12,6 +12,7 @@
 #include "pipeline/fragment_block.h"
 #include "pipeline/frame.h"
 #include "pipeline/geometry_table.h"
+#include "pipeline/primitive_observer.h"
 #include "pipeline/resolve.h"
 #include "pipeline/vertex_input.h"
 #include "pipeline/vertex_state.h"
@@ -82,6 +83,9 @@ class Renderer {
     // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws
     // std::bad_alloc, and what was queued stays good. Draws the frame early whenever it has grown full.
     void draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode, const VertexRange& range);
+    // Shows a draw's primitives to an observer instead. Throws std::bad_alloc.
+    void observe(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
+                 const VertexRange& range, PrimitiveObserver& observer);
     // Queues a rectangle of pixels with the fragment state of points. Throws std::bad_alloc.
     void draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
               const PixelRect& rect);

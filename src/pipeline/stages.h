@@ -57,6 +57,10 @@ class PrimitiveStages {
     void offset_depth(const int (&v)[3], float determinant, bool enabled);
 
     // line_stipple.cpp
+    void restart_lines() {
+        m_stipple_counter = 0;
+        m_setup.restart_lines();
+    }
     void stippled_line(int a, int b);
     void segment(int a, int b, float t0, float t1);
     void solid_line(int a, int b) { m_state.raster.line_smooth ? m_smooth.line(a, b) : m_setup.line(a, b); }

@@ -35,7 +35,8 @@ PrimitiveStages::PrimitiveStages(PrimitiveSetup& setup, ShadedVertices& vertices
     const RasterState& r = state.raster;
     const bool unfilled = r.fill[0] != FillMode::kFill || r.fill[1] != FillMode::kFill;
     const bool in_use = unfilled || r.point_smooth || r.line_smooth || r.line_stipple || r.polygon_stipple;
-    m_takes_triangles = in_use && (unfilled || r.polygon_stipple || m_offsets || m_two_sided);
+    m_takes_triangles =
+        setup.is_observed() || (in_use && (unfilled || r.polygon_stipple || m_offsets || m_two_sided));
     m_filled.two_sided = false;
     m_filled.offset = false;
 }
@@ -122,7 +123,7 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
             m_setup.triangle(m_filled, v[0], v[1], v[2]);
             return;
         case FillMode::kLine:
-            if (restarts) m_stipple_counter = 0;
+            if (restarts) restart_lines();
             // From the last corner on: that is the order in which a polygon's stipple runs round it.
             if (edges[2]) line(v[2], v[0], false);
             if (edges[0]) line(v[0], v[1], false);
