@@ -93,6 +93,7 @@ void for_each_enable(Context& ctx, Visit visit) {
                        &ctx.matrix.transform.normalize,
                        &ctx.matrix.transform.rescale_normal,
                        &ctx.rasterization.point.smooth,
+                       &ctx.rasterization.point.sprite,
                        &ctx.rasterization.line.smooth,
                        &ctx.rasterization.line.stipple_enabled,
                        &polygon.cull_enabled,

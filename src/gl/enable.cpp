@@ -68,6 +68,8 @@ Capability find_capability(Context& ctx, GLenum cap) {
             return {&ctx.matrix.transform.rescale_normal, Dirty::kTransform};
         case GL_POINT_SMOOTH:
             return {&ctx.rasterization.point.smooth, Dirty::kRasterization};
+        case GL_POINT_SPRITE:
+            return {&ctx.rasterization.point.sprite, Dirty::kRasterization};
         case GL_LINE_SMOOTH:
             return {&ctx.rasterization.line.smooth, Dirty::kRasterization};
         case GL_LINE_STIPPLE:

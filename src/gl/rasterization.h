@@ -14,6 +14,8 @@ namespace terrazzo::gl {
 struct PointState {
     GLfloat size = 1;
     bool smooth = false;
+    bool sprite = false;             // ARB_point_sprite
+    std::uint8_t coord_replace = 0;  // one bit for each unit whose coordinates span a sprite
     // GL 1.5 §3.3; only multisampled points would fade.
     GLfloat min_size = 0, max_size = kMaxPointSize;
     GLfloat fade_threshold = 1;

@@ -30,11 +30,21 @@ bool is_texgen_mode(GLenum coord, GLfloat mode) {
            (mode == GL_SPHERE_MAP && (coord == GL_S || coord == GL_T));
 }
 
+// Of the active unit; points, not textures, own it.
+void set_coord_replace(Context& ctx, GLfloat value) {
+    if (value != GL_TRUE && value != GL_FALSE)
+        return record_error(ctx, GL_INVALID_VALUE, "the value is neither GL_TRUE nor GL_FALSE");
+    std::uint8_t& units = ctx.rasterization.point.coord_replace;
+    const int bit = 1 << ctx.texture.active_unit;
+    change(ctx, Dirty::kRasterization, units, value == GL_TRUE ? units | bit : units & ~bit);
+}
+
 }  // namespace
 
 void tex_envfv(Context& ctx, GLenum target, GLenum pname, const GLfloat* params) {
     if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS)
         return change(ctx, Dirty::kTexture, active_unit(ctx).env.lod_bias, *params);
+    if (target == GL_POINT_SPRITE && pname == GL_COORD_REPLACE) return set_coord_replace(ctx, *params);
     if (target != GL_TEXTURE_ENV) return record_error(ctx, GL_INVALID_ENUM, "target is not GL_TEXTURE_ENV");
     TextureEnv& env = active_unit(ctx).env;
     if (set_combine_parameter(ctx, env, pname, *params)) return;
@@ -68,6 +78,10 @@ void tex_genfv(Context& ctx, GLenum coord, GLenum pname, const GLfloat* params) 
 void get_tex_envfv(Context& ctx, GLenum target, GLenum pname, GLfloat* params) {
     if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS) {
         *params = active_unit(ctx).env.lod_bias;
+        return;
+    }
+    if (target == GL_POINT_SPRITE && pname == GL_COORD_REPLACE) {
+        *params = static_cast<GLfloat>(ctx.rasterization.point.coord_replace >> ctx.texture.active_unit & 1);
         return;
     }
     if (target != GL_TEXTURE_ENV) return record_error(ctx, GL_INVALID_ENUM, "target is not GL_TEXTURE_ENV");

@@ -102,7 +102,9 @@ void make_raster(const Context& ctx, pipeline::RasterState& out) {
     out.line_stipple_pattern = line.stipple_pattern;
     const PointState& point = ctx.rasterization.point;
     out.point_size = point_size_within(point, point.size);
-    out.point_smooth = point.smooth;
+    out.point_smooth = point.smooth && !point.sprite;
+    out.point_sprite = point.sprite;
+    out.sprite_units = point.sprite ? point.coord_replace : 0;
 }
 
 // The texture a unit samples, null where texturing is off or the texture incomplete.
@@ -477,7 +479,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     const auto& secondary = input.constants[pipeline::kSecondaryColor];
     std::transform(secondary.begin(), secondary.begin() + 3, state.constant_secondary, unit);
     state.varyings = lay_out_varyings(key, secondary_varies(ctx, input), used, projective);
-    block->complete(ctx.rasterization.line.smooth, ctx.rasterization.point.smooth);
+    block->complete(draw.raster.line_smooth, draw.raster.point_smooth);
     draw.vertex.varyings = state.varyings;
     draw.fragment = std::move(block);
 }

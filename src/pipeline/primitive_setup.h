@@ -33,7 +33,7 @@ class PrimitiveSetup {
     }
     void flush();
 
-    // A square of pixels round the vertex (point.cpp).
+    // A square of pixels round the vertex, or a sprite (point.cpp).
     void point(int v);
     // A parallelogram along the major axis (line.cpp).
     void line(int a, int b);
@@ -52,6 +52,10 @@ class PrimitiveSetup {
     struct Box {
         int32_t x0, y0, x1, y1;
     };
+
+    float point_size(int v) const;
+    void sprite(int v);
+    raster::Primitive* constant_square(int v, const Box& box);
 
     // Null where nothing of the box lies within the scissor.
     raster::Primitive* new_primitive(const raster::FragmentState& state, const Box& box, int edge_count);

@@ -40,6 +40,8 @@ struct RasterState {
     uint16_t line_stipple_pattern = 0xffff;
     float point_size = 1;
     bool point_smooth = false;
+    bool point_sprite = false;  // squares of any size, not of whole pixels
+    uint8_t sprite_units = 0;   // one bit for each unit whose coordinates span such a square
 };
 
 // All that a draw needs besides its vertices.

@@ -38,6 +38,7 @@ const Enumerants kCapabilities = {TERRAZZO_E(GL_ALPHA_TEST),
                                   TERRAZZO_E(GL_LINE_STIPPLE),
                                   TERRAZZO_E(GL_NORMALIZE),
                                   TERRAZZO_E(GL_POINT_SMOOTH),
+                                  TERRAZZO_E(GL_POINT_SPRITE),
                                   TERRAZZO_E(GL_POLYGON_OFFSET_FILL),
                                   TERRAZZO_E(GL_POLYGON_OFFSET_LINE),
                                   TERRAZZO_E(GL_POLYGON_OFFSET_POINT),
@@ -146,7 +147,8 @@ void play_fog_mode(Player& p) {
 
 // PopAttrib does not restore these two in the reference, so they stay as they are while something is saved.
 void play_fog_sources(Player& p) {
-    const GLfloat source = enumerant_number(p, {TERRAZZO_E(GL_FOG_COORDINATE), TERRAZZO_E(GL_FRAGMENT_DEPTH)});
+    const GLfloat source =
+        enumerant_number(p, {TERRAZZO_E(GL_FOG_COORDINATE), TERRAZZO_E(GL_FRAGMENT_DEPTH)});
     const unsigned choice = p.pick(3);
     p.note(std::to_string(choice));
     GLint depth = 0;
@@ -639,6 +641,12 @@ const Command kCommands[] = {
     // Not of a unit: the reference's PopAttrib makes that one 0.
     {"texture bias",
      [](Player& p) { p.gl().TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, p.moderate_number()); }},
+    {"sprite",
+     [](Player& p) {
+         const GLint value = static_cast<GLint>(p.pick(5)) - 1;
+         p.note(std::to_string(value));
+         p.gl().TexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, value);
+     }},
     {"glLineWidth", [](Player& p) { p.gl().LineWidth(p.number()); }},
     {"glLineStipple",
      [](Player& p) {

@@ -262,6 +262,7 @@ constexpr Name kCapabilities[] = {
     TERRAZZO_NAME(GL_LINE_STIPPLE),
     TERRAZZO_NAME(GL_NORMALIZE),
     TERRAZZO_NAME(GL_POINT_SMOOTH),
+    TERRAZZO_NAME(GL_POINT_SPRITE),
     TERRAZZO_NAME(GL_POLYGON_OFFSET_FILL),
     TERRAZZO_NAME(GL_POLYGON_OFFSET_LINE),
     TERRAZZO_NAME(GL_POLYGON_OFFSET_POINT),
@@ -353,6 +354,8 @@ constexpr Name kClipPlanes[] = {TERRAZZO_NAME(GL_CLIP_PLANE0), TERRAZZO_NAME(GL_
                                 TERRAZZO_NAME(GL_CLIP_PLANE5)};
 constexpr Name kFilterControls[] = {TERRAZZO_NAME(GL_TEXTURE_FILTER_CONTROL)};
 constexpr Parameter kFilterControlParameters[] = {{TERRAZZO_NAME(GL_TEXTURE_LOD_BIAS), 1}};
+constexpr Name kPointSprites[] = {TERRAZZO_NAME(GL_POINT_SPRITE)};
+constexpr Parameter kPointSpriteParameters[] = {{TERRAZZO_NAME(GL_COORD_REPLACE), 1, true}};
 constexpr Name kEnvironments[] = {TERRAZZO_NAME(GL_TEXTURE_ENV)};
 
 // -0 is written as 0: which of them a matrix product gives depends, in the reference, on when it last looked
@@ -459,6 +462,7 @@ std::vector<std::string> dump_state(const kit::Gl& gl) {
     dump_objects(kCoordinates, kTexgenParameters, gl.GetTexGenfv, gl.GetTexGeniv, dump);
     dump_objects(kEnvironments, kEnvironmentParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
     dump_objects(kFilterControls, kFilterControlParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
+    dump_objects(kPointSprites, kPointSpriteParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
     dump_objects(kTextureTargets, kTextureParameters, gl.GetTexParameterfv, gl.GetTexParameteriv, dump);
     for (const Name& plane : kClipPlanes) {
         dump.push_back(

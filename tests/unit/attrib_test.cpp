@@ -38,6 +38,7 @@ void change_enables(const kit::Gl& gl) {
                               GL_LINE_STIPPLE,
                               GL_NORMALIZE,
                               GL_POINT_SMOOTH,
+                              GL_POINT_SPRITE,
                               GL_POLYGON_OFFSET_FILL,
                               GL_POLYGON_OFFSET_LINE,
                               GL_POLYGON_OFFSET_POINT,
@@ -153,6 +154,8 @@ const Group kGroups[] = {
     {GL_POINT_BIT, "point",
      [](auto& gl) {
          gl.PointSize(3);
+         gl.Enable(GL_POINT_SPRITE);
+         gl.TexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE);
          gl.PointParameterf(GL_POINT_SIZE_MIN, 2);
          gl.PointParameterf(GL_POINT_SIZE_MAX, 4);
          gl.PointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 3);

@@ -112,6 +112,8 @@ const BadCall kBadCalls[] = {
      [](auto& gl) { gl.TexEnvf(GL_TEXTURE_ENV, GL_ALPHA_SCALE, 1.5f); }},
     {"TexEnv, bias of an environment", GL_INVALID_ENUM,
      [](auto& gl) { gl.TexEnvf(GL_TEXTURE_ENV, GL_TEXTURE_LOD_BIAS, 1); }},
+    {"TexEnv, coordinates half replaced", GL_INVALID_VALUE,
+     [](auto& gl) { gl.TexEnvf(GL_POINT_SPRITE, GL_COORD_REPLACE, 0.5f); }},
     {"TexEnv, mode of a filter", GL_INVALID_ENUM,
      [](auto& gl) { gl.TexEnvi(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_ENV_MODE, GL_DECAL); }},
     {"TexGen, coordinate", GL_INVALID_ENUM,

@@ -5,10 +5,10 @@
 #include <functional>
 #include <vector>
 
+#include "attach_picture.h"
 #include "gl/generated/commands.h"
 #include "gl/surface.h"
 #include "gl_fixture.h"
-#include "attach_picture.h"
 
 namespace terrazzo::gl {
 namespace {
