@@ -55,6 +55,7 @@ struct SavedAttributes {
     std::optional<CurrentGroup> current;
     std::optional<DepthBufferGroup> depth_buffer;
     std::optional<std::vector<bool>> enables;
+    std::optional<EvaluatorModes> evaluators;
     std::optional<FogState> fog;
     std::optional<HintState> hints;
     std::optional<LightingState> lighting;
@@ -104,6 +105,10 @@ void for_each_enable(Context& ctx, Visit visit) {
                        &polygon.offset_point}) {
         visit(*flag);
     }
+    EvaluatorModes& evaluators = ctx.evaluators.modes;
+    for (bool& enabled : evaluators.enabled_1d) visit(enabled);
+    for (bool& enabled : evaluators.enabled_2d) visit(enabled);
+    visit(evaluators.auto_normal);
     for (Light& light : ctx.lighting.lights) visit(light.enabled);
     for (ClipPlane& plane : ctx.matrix.transform.clip_planes) visit(plane.enabled);
     for (TextureUnit& unit : ctx.texture.units) {
@@ -166,6 +171,7 @@ std::shared_ptr<const SavedAttributes> save(Context& ctx, GLbitfield mask) {
     if (mask & GL_CURRENT_BIT) saved->current = {ctx.vertex.current, ctx.raster_position};
     if (mask & GL_DEPTH_BUFFER_BIT) saved->depth_buffer = {fragment.depth, clear.depth};
     if (mask & GL_ENABLE_BIT) saved->enables = save_enables(ctx);
+    if (mask & GL_EVAL_BIT) saved->evaluators = ctx.evaluators.modes;
     if (mask & GL_FOG_BIT) saved->fog = ctx.fog;
     if (mask & GL_HINT_BIT) saved->hints = ctx.hints;
     if (mask & GL_LIGHTING_BIT) {
@@ -205,6 +211,7 @@ void restore(Context& ctx, const SavedAttributes& saved) {
         clear.depth = saved.depth_buffer->clear_depth;
     }
     if (saved.enables) restore_enables(ctx, *saved.enables);
+    if (saved.evaluators) ctx.evaluators.modes = *saved.evaluators;
     if (saved.fog) ctx.fog = *saved.fog;
     if (saved.hints) ctx.hints = *saved.hints;
     if (saved.lighting) ctx.lighting = *saved.lighting;

@@ -17,6 +17,7 @@
 #include "gl/current.h"
 #include "gl/draw.h"
 #include "gl/error.h"
+#include "gl/evaluators.h"
 #include "gl/fog.h"
 #include "gl/fragment_ops.h"
 #include "gl/framebuffer.h"
@@ -38,6 +39,7 @@ namespace terrazzo::gl {
 
 // What of the derived state must be made anew before the next draw.
 enum class Dirty : unsigned {
+    kNothing = 0,              // what vertices are made of before they are queued
     kTransform = 1u << 0,      // matrices, viewport, depth range, user clip planes
     kLighting = 1u << 1,       // lights, materials, shade model, normalisation
     kTexture = 1u << 2,        // bindings, parameters, images, environment, texgen
@@ -61,6 +63,7 @@ struct Context {
     VertexState vertex;
     RasterPosition raster_position;
     RenderModeState render_mode;
+    EvaluatorState evaluators;
     ArrayState arrays;
     MatrixState matrix;
     LightingState lighting;

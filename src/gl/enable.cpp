@@ -9,6 +9,7 @@ namespace terrazzo::gl {
 namespace {
 
 Capability indexed_capability(Context& ctx, GLenum cap) {
+    if (bool* const flag = find_evaluator_flag(ctx.evaluators.modes, cap)) return {flag, Dirty::kNothing};
     if (cap - GL_LIGHT0 < static_cast<GLenum>(kMaxLights)) {
         return {&ctx.lighting.lights[cap - GL_LIGHT0].enabled, Dirty::kLighting};
     }

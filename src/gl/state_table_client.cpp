@@ -119,6 +119,24 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_PIXEL_MAP_B_TO_B_SIZE, [](Context& c, Out& out) { out = c.pixels.maps[kMapBToB].size; }},
     {GL_PIXEL_MAP_A_TO_A_SIZE, [](Context& c, Out& out) { out = c.pixels.maps[kMapAToA].size; }},
 
+    // Evaluators
+    {GL_MAP1_GRID_DOMAIN,
+     [](Context& c, Out& out) {
+         const EvaluatorGrid& grid = c.evaluators.modes.grid_1d;
+         out = std::array{grid.first, grid.last};
+     }},
+    {GL_MAP1_GRID_SEGMENTS, [](Context& c, Out& out) { out = c.evaluators.modes.grid_1d.segments; }},
+    {GL_MAP2_GRID_DOMAIN,
+     [](Context& c, Out& out) {
+         const auto& [u, v] = c.evaluators.modes.grid_2d;
+         out = std::array{u.first, u.last, v.first, v.last};
+     }},
+    {GL_MAP2_GRID_SEGMENTS,
+     [](Context& c, Out& out) {
+         const auto& [u, v] = c.evaluators.modes.grid_2d;
+         out = std::array{u.segments, v.segments};
+     }},
+
     // Hints
     {GL_PERSPECTIVE_CORRECTION_HINT, [](Context& c, Out& out) { out = c.hints.perspective_correction; }},
     {GL_POINT_SMOOTH_HINT, [](Context& c, Out& out) { out = c.hints.point_smooth; }},

@@ -1,5 +1,6 @@
 // The table of what never changes in a context: limits, and the formats of the render target (GL 1.5
 // tables 6.31-6.35).
+#include "gl/bezier.h"
 #include "gl/state_table.h"
 
 namespace terrazzo::gl {
@@ -38,6 +39,7 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_MAX_ATTRIB_STACK_DEPTH, [](Context&, Out& out) { out = kMaxAttribDepth; }},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, [](Context&, Out& out) { out = kMaxClientAttribDepth; }},
     {GL_MAX_NAME_STACK_DEPTH, [](Context&, Out& out) { out = kMaxNameStackDepth; }},
+    {GL_MAX_EVAL_ORDER, [](Context&, Out& out) { out = kMaxEvalOrder; }},
     {GL_MAX_LIST_NESTING, [](Context&, Out& out) { out = kMaxListNesting; }},
     {GL_MAX_PIXEL_MAP_TABLE, [](Context&, Out& out) { out = kMaxPixelMapTable; }},
     {GL_MAX_TEXTURE_UNITS, [](Context&, Out& out) { out = kMaxTextureUnits; }},

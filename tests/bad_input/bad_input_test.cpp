@@ -140,7 +140,8 @@ TEST_F(BadInput, EveryFunctionThatCanRefuseHasGoodArguments) {
 
 bool is_vertex(const Call& call) {
     const std::string name = call.name;
-    return name.starts_with("glVertex") && name.find("Pointer") == std::string::npos;
+    return (name.starts_with("glVertex") && name.find("Pointer") == std::string::npos) ||
+           name.starts_with("glEvalCoord");
 }
 
 // An invalid unit's effect is undefined (GL 1.5 §2.7).
@@ -148,7 +149,7 @@ bool takes_any_unit(const Call& call) {
     return std::string(call.name).starts_with("glMultiTexCoord");
 }
 
-// Without glVertex: outside Begin and End it is ignored, whatever its argument.
+// Without vertices: outside Begin and End they are ignored, whatever their argument.
 TEST_F(BadInput, OneBadArgumentIsRefusedAndChangesNothing) {
     const auto expect_refused = [&](const Call& call, const std::vector<Arguments>& bad, std::size_t i,
                                     GLenum error) {
