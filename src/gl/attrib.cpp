@@ -112,8 +112,7 @@ void for_each_enable(Context& ctx, Visit visit) {
     for (Light& light : ctx.lighting.lights) visit(light.enabled);
     for (ClipPlane& plane : ctx.matrix.transform.clip_planes) visit(plane.enabled);
     for (TextureUnit& unit : ctx.texture.units) {
-        visit(unit.enabled_1d);
-        visit(unit.enabled_2d);
+        for (bool& enabled : unit.enabled) visit(enabled);
         for (TexgenCoordinate& coordinate : unit.texgen.coordinates) visit(coordinate.enabled);
     }
 }

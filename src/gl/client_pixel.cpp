@@ -120,4 +120,14 @@ ImageLayout image_layout(const PixelStore& store, GLsizei width, GLenum format, 
     return layout;
 }
 
+// GL 1.5 §3.8.1.
+ImageLayout image_layout(const PixelStore& store, GLsizei width, GLsizei height, int dimensions,
+                         GLenum format, GLenum type) {
+    ImageLayout layout = image_layout(store, width, format, type);
+    const GLsizei rows = dimensions == 3 && store.image_height > 0 ? store.image_height : height;
+    layout.image_stride = static_cast<size_t>(rows) * layout.row_stride;
+    if (dimensions == 3) layout.offset += static_cast<size_t>(store.skip_images) * layout.image_stride;
+    return layout;
+}
+
 }  // namespace terrazzo::gl

@@ -62,7 +62,11 @@ struct ImageLayout {
     size_t offset = 0;      // bytes from the program's pointer to the first pixel
     int first_bit = 0;      // GL_BITMAP: the first pixel's bit in that byte, counted in the order of pixels
     size_t row_stride = 0;  // bytes
+    size_t image_stride = 0;
 };
 ImageLayout image_layout(const PixelStore& store, GLsizei width, GLenum format, GLenum type);
+// The same for commands whose images have three dimensions; other ones ignore the image height.
+ImageLayout image_layout(const PixelStore& store, GLsizei width, GLsizei height, int dimensions,
+                         GLenum format, GLenum type);
 
 }  // namespace terrazzo::gl

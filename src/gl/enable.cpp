@@ -88,9 +88,13 @@ Capability find_capability(Context& ctx, GLenum cap) {
         case GL_POLYGON_OFFSET_POINT:
             return {&polygon.offset_point, Dirty::kRasterization};
         case GL_TEXTURE_1D:
-            return {&unit.enabled_1d, Dirty::kTexture};
+            return {&unit.enabled[kTexture1D], Dirty::kTexture};
         case GL_TEXTURE_2D:
-            return {&unit.enabled_2d, Dirty::kTexture};
+            return {&unit.enabled[kTexture2D], Dirty::kTexture};
+        case GL_TEXTURE_3D:
+            return {&unit.enabled[kTexture3D], Dirty::kTexture};
+        case GL_TEXTURE_CUBE_MAP:
+            return {&unit.enabled[kTextureCube], Dirty::kTexture};
     }
     return indexed_capability(ctx, cap);
 }

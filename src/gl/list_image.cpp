@@ -30,20 +30,24 @@ void copy_bits(const std::byte* source, std::size_t first_bit, std::size_t width
 
 }  // namespace
 
-std::vector<std::byte> unpack_for_list(const PixelStore& unpack, GLsizei width, GLsizei height, GLenum format,
-                                       GLenum type, const void* pixels) {
+std::vector<std::byte> unpack_for_list(const PixelStore& unpack, GLsizei width, GLsizei height, GLsizei depth,
+                                       GLenum format, GLenum type, const void* pixels) {
     constexpr GLsizei kLargestSize = kMaxTextureSize + 2;  // with both borders
     if (!pixels || width <= 0 || height <= 0 || width > kLargestSize || height > kLargestSize) return {};
+    if (depth == 0 || depth < kNoDepth || depth > kLargestSize) return {};
     if (check_client_pixel(format, type).code != GL_NO_ERROR) return {};
-    const ImageLayout from = image_layout(unpack, width, format, type);
-    const ImageLayout to = image_layout(PixelStore{}, width, format, type);
+    const int dimensions = depth == kNoDepth ? 2 : 3;
+    const ImageLayout from = image_layout(unpack, width, height, dimensions, format, type);
+    const ImageLayout to = image_layout(PixelStore{}, width, height, dimensions, format, type);
     const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
+    const auto images = static_cast<std::size_t>(depth == kNoDepth ? 1 : depth);
     const std::size_t row_bytes = columns * bytes_per_pixel(format, type);
 
-    std::vector<std::byte> image(to.row_stride * rows);
-    const auto* source = static_cast<const std::byte*>(pixels) + from.offset;
+    std::vector<std::byte> image(to.image_stride * images);
+    const auto* first = static_cast<const std::byte*>(pixels) + from.offset;
     std::byte* target = image.data();
-    for (std::size_t row = 0; row < rows; ++row, source += from.row_stride, target += to.row_stride) {
+    for (std::size_t row = 0; row < rows * images; ++row, target += to.row_stride) {
+        const std::byte* const source = first + row / rows * from.image_stride + row % rows * from.row_stride;
         if (type == GL_BITMAP) {
             copy_bits(source, static_cast<std::size_t>(from.first_bit), columns, unpack.lsb_first, target);
             continue;

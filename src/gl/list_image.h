@@ -10,9 +10,12 @@
 
 namespace terrazzo::gl {
 
+// In place of the depth of an image of one or two dimensions.
+inline constexpr GLsizei kNoDepth = -1;
+
 // The image as default pixel store modes (PixelStore{}) would find it. Empty when `pixels` is null, or when
 // format, type or size are such that the command will fail: then the memory is not touched.
-std::vector<std::byte> unpack_for_list(const PixelStore& unpack, GLsizei width, GLsizei height, GLenum format,
-                                       GLenum type, const void* pixels);
+std::vector<std::byte> unpack_for_list(const PixelStore& unpack, GLsizei width, GLsizei height, GLsizei depth,
+                                       GLenum format, GLenum type, const void* pixels);
 
 }  // namespace terrazzo::gl

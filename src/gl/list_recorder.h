@@ -65,9 +65,9 @@ class CopiedArray {
 // An image argument on its way behind a record.
 class UnpackedImage {
   public:
-    UnpackedImage(const Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,
-                  const void* pixels)
-        : m_image(unpack_for_list(ctx.pixels.unpack, width, height, format, type, pixels)) {}
+    UnpackedImage(const Context& ctx, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+                  GLenum type, const void* pixels)
+        : m_image(unpack_for_list(ctx.pixels.unpack, width, height, depth, format, type, pixels)) {}
 
     std::size_t padded_size() const { return padded(m_image.size()); }
 

@@ -41,7 +41,7 @@ void fill_varyings(const RasterPosition& position, const raster::Varyings& varyi
     if (varyings.fog >= 0) out[varyings.fog] = position.distance;
     for (std::size_t u = 0; u < kMaxTextureUnits; ++u) {
         if (varyings.texture[u] < 0) continue;
-        std::copy_n(position.texture_coordinates[u].data(), varyings.projective >> u & 1 ? 4 : 2,
+        std::copy_n(position.texture_coordinates[u].data(), varyings.texture_planes(u),
                     out + varyings.texture[u]);
     }
 }

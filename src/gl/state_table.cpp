@@ -104,6 +104,8 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
         {GL_ACTIVE_TEXTURE, [](Context& c, Out& out) { out = GL_TEXTURE0 + c.texture.active_unit; }},
         {GL_TEXTURE_BINDING_1D, [](Context& c, Out& out) { out = texture_name(c, kTexture1D); }},
         {GL_TEXTURE_BINDING_2D, [](Context& c, Out& out) { out = texture_name(c, kTexture2D); }},
+        {GL_TEXTURE_BINDING_3D, [](Context& c, Out& out) { out = texture_name(c, kTexture3D); }},
+        {GL_TEXTURE_BINDING_CUBE_MAP, [](Context& c, Out& out) { out = texture_name(c, kTextureCube); }},
 
         // Per-fragment operations
         {GL_SCISSOR_BOX,

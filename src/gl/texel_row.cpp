@@ -6,7 +6,10 @@
 
 #include "gl/channels.h"
 #include "gl/client_pixel.h"
+#include "gl/convert.h"
+#include "gl/pixel_component.h"
 #include "gl/pixel_convert.h"
+#include "gl/pixel_transfer.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -147,33 +150,33 @@ bool holds_all_values(const TexelFormat& texel, GLenum type) {
 }
 
 void store_texels(const TexelFormat& format, const uint8_t* rgba, Rounding rounding, int count,
-                  TextureImage& image, int x, int y) {
+                  TextureImage& image, int x, int y, int z) {
     if (image.storage == TexelStorage::kRgba32F) {
         float texels[4 * kPixelChunk];
         widen(format, rgba, count, texels);
-        return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y));
+        return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y, z));
     }
     if (keeps_all_bits(format)) {
-        return groups_to_texels<uint8_t>(format.base_format, 255, rgba, count, image.rgba8(x, y));
+        return groups_to_texels<uint8_t>(format.base_format, 255, rgba, count, image.rgba8(x, y, z));
     }
     uint8_t quantized[4 * kPixelChunk];
     quantize(rounding == Rounding::kAsDrawn ? kQuantizeDrawn : kQuantize, format, rgba, count, quantized);
-    groups_to_texels<uint8_t>(format.base_format, 255, quantized, count, image.rgba8(x, y));
+    groups_to_texels<uint8_t>(format.base_format, 255, quantized, count, image.rgba8(x, y, z));
 }
 
 void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
-                  TextureImage& image, int x, int y) {
+                  TextureImage& image, int x, int y, int z) {
     if (image.storage == TexelStorage::kRgba32F) {
         if (rounding == Rounding::kNone)
-            return groups_to_texels(format.base_format, 1.0f, rgba, count, image.rgba32f(x, y));
+            return groups_to_texels(format.base_format, 1.0f, rgba, count, image.rgba32f(x, y, z));
         float texels[4 * kPixelChunk];
         quantize(format, rgba, count, texels);
-        return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y));
+        return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y, z));
     }
     uint8_t bytes[4 * kPixelChunk];
     if (rounding == Rounding::kThroughBytes || keeps_all_bits(format)) {
         bytes_from_floats(rgba, 4 * count, bytes);
-        return store_texels(format, bytes, Rounding::kThroughBytes, count, image, x, y);
+        return store_texels(format, bytes, Rounding::kThroughBytes, count, image, x, y, z);
     }
     const Scales scales(format);
     for (int i = 0; i < 4 * count; ++i) {
@@ -181,20 +184,21 @@ void store_texels(const TexelFormat& format, const float* rgba, Rounding roundin
         const auto integer = static_cast<unsigned>(clamp_to_unit(rgba[i]) * scales.maximum[i & 3] + 0.5f);
         bytes[i] = static_cast<uint8_t>(bits == 0 ? 0 : resize_unorm(integer, bits, 8));
     }
-    groups_to_texels<uint8_t>(format.base_format, 255, bytes, count, image.rgba8(x, y));
+    groups_to_texels<uint8_t>(format.base_format, 255, bytes, count, image.rgba8(x, y, z));
 }
 
-void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int count,
+void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int z, int count,
                  uint8_t* rgba) {
-    texels_to_groups<uint8_t>(format.base_format, 255, image.rgba8(x, y), count, rgba);
+    texels_to_groups<uint8_t>(format.base_format, 255, image.rgba8(x, y, z), count, rgba);
 }
 
-void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int count, float* rgba) {
+void load_texels(const TexelFormat& format, const TextureImage& image, int x, int y, int z, int count,
+                 float* rgba) {
     if (image.storage == TexelStorage::kRgba32F) {
-        return texels_to_groups(format.base_format, 1.0f, image.rgba32f(x, y), count, rgba);
+        return texels_to_groups(format.base_format, 1.0f, image.rgba32f(x, y, z), count, rgba);
     }
     float texels[4 * kPixelChunk];
-    const uint8_t* stored = image.rgba8(x, y);
+    const uint8_t* stored = image.rgba8(x, y, z);
     for (int i = 0; i < 4 * count; ++i) {
         // Channels that the format lacks hold 0 or 255, which is 0 or 1 in any number of bits.
         const unsigned bits = format.bits[i & 3] == 0 ? 1 : format.bits[i & 3];
@@ -202,6 +206,48 @@ void load_texels(const TexelFormat& format, const TextureImage& image, int x, in
             static_cast<float>(stored[i] >> (8 - bits)) * (1.0f / static_cast<float>((1u << bits) - 1));
     }
     texels_to_groups(format.base_format, 1.0f, texels, count, rgba);
+}
+
+// The reference's ways: integers of 16 and 32 bits to those sizes without floats; all others cut off what a
+// float times the largest value has behind the point.
+void store_depths(const PixelState& state, GLenum type, int bits, const uint8_t* source, int count,
+                  uint32_t* depths) {
+    const bool swap_bytes = state.unpack.swap_bytes;
+    const bool integers = type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
+    if (integers && bits != 24 && !swap_bytes && !changes_depths(state)) {
+        const unsigned size = type == GL_UNSIGNED_SHORT ? 16 : 32;
+        for (int i = 0; i < count; ++i) {
+            const uint32_t value = size == 16 ? load_component<uint16_t>(source, i, false)
+                                              : load_component<uint32_t>(source, i, false);
+            depths[i] = resize_depth(value, size, static_cast<unsigned>(bits));
+        }
+        return;
+    }
+    float values[kPixelChunk];
+    with_type(type, [&]<typename T>(T) {
+        for (int i = 0; i < count; ++i) {
+            const T value = load_component<T>(source, i, swap_bytes);
+            if constexpr (std::is_same_v<T, float>) {
+                values[i] = value;
+            } else {
+                values[i] = value == 0 ? 0.0f : normalised(value);
+            }
+        }
+    });
+    if (changes_depths(state)) transfer_depths(state, values, count);
+    for (int i = 0; i < count; ++i) depths[i] = depth_integer(values[i], bits);
+}
+
+uint32_t depth_integer(float depth, int bits) {
+    const double largest = static_cast<double>((uint64_t{1} << bits) - 1);
+    depth = clamp_to_unit(depth);
+    return bits == 32 ? static_cast<uint32_t>(depth * largest)
+                      : static_cast<uint32_t>(depth * static_cast<float>(largest));
+}
+
+uint32_t resize_depth(uint32_t value, unsigned from, unsigned to) {
+    if (to <= from) return value >> (from - to);
+    return value << (to - from) | value >> (2 * from - to);
 }
 
 }  // namespace terrazzo::gl

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "gl/pixels.h"
 #include "gl/texture_format.h"
 #include "pipeline/texture_image.h"
 
@@ -29,17 +30,27 @@ enum class Rounding {
     kAsDrawn,       // bytes as if they were drawn, which drops bits: copies
 };
 
-// Writes `count` texels from (x, y) on, coordinates as in TextureImage. `count` is at most kPixelChunk.
+// Writes `count` texels from (x, y, z) on, coordinates as in TextureImage. `count` is at most kPixelChunk.
 void store_texels(const TexelFormat& format, const uint8_t* rgba, Rounding rounding, int count,
-                  pipeline::TextureImage& image, int x, int y);
+                  pipeline::TextureImage& image, int x, int y, int z);
 void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
-                  pipeline::TextureImage& image, int x, int y);
+                  pipeline::TextureImage& image, int x, int y, int z);
 
 // The 8-bit form needs 8-bit storage; sizes below 8 bits are widened by repeating bits. The float form is
 // exact.
-void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int count,
-                 uint8_t* rgba);
-void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int count,
-                 float* rgba);
+void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int z,
+                 int count, uint8_t* rgba);
+void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int z,
+                 int count, float* rgba);
+
+// Depths of a client's row, through pixel transfer, as integers of `bits` bits.
+void store_depths(const PixelState& state, GLenum type, int bits, const uint8_t* source, int count,
+                  uint32_t* depths);
+
+// A depth as an integer of `bits` bits, what is behind the point cut off.
+uint32_t depth_integer(float depth, int bits);
+
+// A depth in another number of bits, which is no more than twice as many: bits are cut off or repeated.
+uint32_t resize_depth(uint32_t value, unsigned from, unsigned to);
 
 }  // namespace terrazzo::gl

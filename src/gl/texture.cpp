@@ -11,7 +11,11 @@
 namespace terrazzo::gl {
 namespace {
 
-constexpr std::array<GLenum, kTextureTargetCount> kTargets{GL_TEXTURE_1D, GL_TEXTURE_2D};
+constexpr std::array<GLenum, kTextureTargetCount> kTargets{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D,
+                                                           GL_TEXTURE_CUBE_MAP};
+constexpr std::array<GLenum, kTextureTargetCount> kProxies{GL_PROXY_TEXTURE_1D, GL_PROXY_TEXTURE_2D,
+                                                           GL_PROXY_TEXTURE_3D, GL_PROXY_TEXTURE_CUBE_MAP};
+constexpr std::array<int, kTextureTargetCount> kDimensions{1, 2, 3, 2};
 
 // The index of a target in bindings; kTextureTargetCount when it is none.
 size_t target_index(GLenum target) {
@@ -22,6 +26,8 @@ std::shared_ptr<TextureObject> make_object(GLuint name, GLenum target) {
     auto object = std::make_shared<TextureObject>();
     object->name = name;
     object->target = target;
+    if (target == GL_TEXTURE_CUBE_MAP)
+        object->other_faces = std::make_unique<std::array<TextureLevels, kCubeFaces - 1>>();
     return object;
 }
 
@@ -56,7 +62,19 @@ bool continues_mipmap(const TextureLevel& base, const TextureLevel& level, int s
     // The formats as they were named, and what was made of them.
     if (level.internal_format != base.internal_format || level.format != base.format) return false;
     return level.image->width == std::max(1, base.image->width >> steps) &&
-           level.image->height == std::max(1, base.image->height >> steps);
+           level.image->height == std::max(1, base.image->height >> steps) &&
+           level.image->depth == std::max(1, base.image->depth >> steps);
+}
+
+// GL 1.5 §3.8.10: all faces of a cube map are square and alike.
+bool is_cube_complete(const TextureObject& object, size_t base) {
+    const TextureLevel& first = object.levels[base];
+    for (int face = 0; face < object.face_count(); ++face) {
+        const TextureLevel& level = object.face(face)[base];
+        if (!level.image || level.image->width != level.image->height || !continues_mipmap(first, level, 0))
+            return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -81,19 +99,35 @@ TextureObject* bound_texture(Context& ctx, GLenum target) {
     return ctx.texture.units[ctx.texture.active_unit].bound[index].get();
 }
 
+ImageTarget find_image_target(Context& ctx, GLenum target) {
+    const GLenum face = target - GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+    if (face < static_cast<GLenum>(kCubeFaces))
+        return {bound_texture(ctx, GL_TEXTURE_CUBE_MAP), static_cast<int>(face), 2, false};
+    const auto proxy =
+        static_cast<size_t>(std::find(kProxies.begin(), kProxies.end(), target) - kProxies.begin());
+    if (proxy < kTextureTargetCount) return {&ctx.texture.proxies[proxy], 0, kDimensions[proxy], true};
+    const size_t index = target_index(target);
+    if (index == kTextureTargetCount || target == GL_TEXTURE_CUBE_MAP) return {};
+    return {bound_texture(ctx, target), 0, kDimensions[index], false};
+}
+
 TextureCompleteness completeness(const TextureObject& object) {
     const int base = object.parameters.base_level;
     if (base >= kMaxTextureLevels) return {};
     const TextureLevel& base_level = object.levels[static_cast<size_t>(base)];
     if (!base_level.image) return {};
+    if (object.other_faces && !is_cube_complete(object, static_cast<size_t>(base))) return {};
     if (!uses_mipmaps(object.parameters.min_filter)) return {true, base, base};
     if (object.parameters.max_level < base) return {};
-    const unsigned longest =
-        static_cast<unsigned>(std::max(base_level.image->width, base_level.image->height));
+    const unsigned longest = static_cast<unsigned>(
+        std::max({base_level.image->width, base_level.image->height, base_level.image->depth}));
     const int smallest = base + static_cast<int>(std::bit_width(longest)) - 1;
     const int last = std::min({smallest, object.parameters.max_level, kMaxTextureLevels - 1});
     for (int level = base + 1; level <= last; ++level) {
-        if (!continues_mipmap(base_level, object.levels[static_cast<size_t>(level)], level - base)) return {};
+        for (int face = 0; face < object.face_count(); ++face) {
+            if (!continues_mipmap(base_level, object.face(face)[static_cast<size_t>(level)], level - base))
+                return {};
+        }
     }
     return {true, base, last};
 }

@@ -24,7 +24,7 @@ struct Context;
 
 // Indices of the texture targets in bindings and default objects. The later one has precedence when several
 // are enabled (GL 1.5 §3.8.15).
-enum TextureTarget : int { kTexture1D, kTexture2D, kTextureTargetCount };
+enum TextureTarget : int { kTexture1D, kTexture2D, kTexture3D, kTextureCube, kTextureTargetCount };
 
 // The part of a texture object that glPushAttrib(GL_TEXTURE_BIT) saves.
 struct TextureParameters {
@@ -34,6 +34,9 @@ struct TextureParameters {
     GLenum wrap_s = GL_REPEAT;
     GLenum wrap_t = GL_REPEAT;
     GLenum wrap_r = GL_REPEAT;
+    GLenum depth_mode = GL_LUMINANCE;  // of depth textures: what a depth, or a comparison's result, becomes
+    GLenum compare_mode = GL_NONE;
+    GLenum compare_func = GL_LEQUAL;
     GLfloat priority = 1;
     GLfloat min_lod = -1000;
     GLfloat max_lod = 1000;
@@ -46,17 +49,28 @@ struct TextureParameters {
 struct TextureLevel {
     GLsizei width = 0;
     GLsizei height = 0;
+    GLsizei depth = 0;
     GLint border = 0;
     GLint internal_format = 1;            // as the program named it
     const TexelFormat* format = nullptr;  // how texels are kept; null while nothing is specified
     pipeline::LevelImage image;           // null for an empty image and in proxies
 };
 
+using TextureLevels = std::array<TextureLevel, kMaxTextureLevels>;
+inline constexpr int kCubeFaces = 6;
+
 struct TextureObject {
     GLuint name = 0;
-    GLenum target = 0;  // GL_TEXTURE_1D or GL_TEXTURE_2D
+    GLenum target = 0;  // GL_TEXTURE_1D, _2D, _3D or _CUBE_MAP
     TextureParameters parameters;
-    std::array<TextureLevel, kMaxTextureLevels> levels;
+    TextureLevels levels;  // of a cube map: of the face in positive x
+    std::unique_ptr<std::array<TextureLevels, kCubeFaces - 1>> other_faces;  // of cube maps alone
+
+    int face_count() const { return other_faces ? kCubeFaces : 1; }
+    TextureLevels& face(int index) {
+        return index == 0 ? levels : (*other_faces)[static_cast<std::size_t>(index - 1)];
+    }
+    const TextureLevels& face(int index) const { return const_cast<TextureObject*>(this)->face(index); }
 };
 
 // The levels that sampling may touch under the current parameters (GL 1.5 §3.8.10). An incomplete texture
@@ -71,8 +85,7 @@ TextureCompleteness completeness(const TextureObject& object);
 struct TextureUnit {
     TextureEnv env;
     TexgenState texgen;
-    bool enabled_1d = false;
-    bool enabled_2d = false;
+    std::array<bool, kTextureTargetCount> enabled{};
     std::array<std::shared_ptr<TextureObject>, kTextureTargetCount>
         bound;  // never null after init_texture_state
 };
@@ -97,7 +110,19 @@ void init_texture_state(Context& ctx);
 std::unique_lock<std::mutex> lock_textures(Context& ctx);
 
 // The object that commands naming `target` act on: the one bound to the active unit. Null when `target` is
-// neither GL_TEXTURE_1D nor GL_TEXTURE_2D.
+// none of the four.
 TextureObject* bound_texture(Context& ctx, GLenum target);
+
+// What commands that work on images mean by `target`: a level of a texture's face, or of a proxy.
+struct ImageTarget {
+    TextureObject* object = nullptr;  // null: no such target
+    int face = 0;
+    int dimensions = 0;
+    bool is_proxy = false;
+
+    bool is_cube() const { return object->target == GL_TEXTURE_CUBE_MAP; }
+    TextureLevel& level(GLint number) const { return object->face(face)[static_cast<std::size_t>(number)]; }
+};
+ImageTarget find_image_target(Context& ctx, GLenum target);
 
 }  // namespace terrazzo::gl

@@ -24,10 +24,11 @@ TexgenCoordinate* find_coordinate(Context& ctx, GLenum coord) {
     return nullptr;
 }
 
-// Sphere mapping makes s and t only.
+// Sphere mapping makes s and t only, reflections and normals have no q.
 bool is_texgen_mode(GLenum coord, GLfloat mode) {
     return mode == GL_OBJECT_LINEAR || mode == GL_EYE_LINEAR ||
-           (mode == GL_SPHERE_MAP && (coord == GL_S || coord == GL_T));
+           (mode == GL_SPHERE_MAP && (coord == GL_S || coord == GL_T)) ||
+           ((mode == GL_REFLECTION_MAP || mode == GL_NORMAL_MAP) && coord != GL_Q);
 }
 
 // Of the active unit; points, not textures, own it.

@@ -39,6 +39,19 @@ constexpr TexelFormat kRgba8 = rgba8_format(GL_RGBA, BaseFormat::kRgba, 8, 8, 8,
 constexpr TexelFormat kRgb10A2 = float_format(GL_RGBA, BaseFormat::kRgba, 10, 2);
 constexpr TexelFormat kRgba16 = float_format(GL_RGBA, BaseFormat::kRgba, 16, 16);
 
+constexpr TexelFormat depth_format(unsigned char bits) {
+    return {GL_DEPTH_COMPONENT, BaseFormat::kDepth, TexelStorage::kDepth, {bits, 0, 0, 0}};
+}
+constexpr TexelFormat kDepth16 = depth_format(16);
+constexpr TexelFormat kDepth24 = depth_format(24);
+constexpr TexelFormat kDepth32 = depth_format(32);
+
+const TexelFormat* choose_depth(GLenum client_type, bool swap_bytes) {
+    if (client_type == GL_UNSIGNED_SHORT && !swap_bytes) return &kDepth16;
+    if (client_type == GL_UNSIGNED_INT && !swap_bytes) return &kDepth32;
+    return &kDepth24;
+}
+
 const TexelFormat* choose_rgb(GLenum client_type, bool swap_bytes) {
     if (client_type == GL_UNSIGNED_SHORT_5_5_5_1) return &kRgb555;
     if (client_type == GL_UNSIGNED_INT_2_10_10_10_REV) return &kRgb10;
@@ -146,6 +159,14 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_form
             return &kRgba8;
         case GL_RGB10_A2:
             return &kRgb10A2;
+        case GL_DEPTH_COMPONENT16:
+            return &kDepth16;
+        case GL_DEPTH_COMPONENT:
+            return choose_depth(client_type, swap_bytes);
+        case GL_DEPTH_COMPONENT24:
+            return &kDepth24;
+        case GL_DEPTH_COMPONENT32:
+            return &kDepth32;
         case GL_RGBA12:
         case GL_RGBA16:
             return &kRgba16;

@@ -15,11 +15,12 @@
 namespace terrazzo::gl {
 
 struct TexelFormat {
-    GLenum base;  // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB or GL_RGBA
+    // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA or GL_DEPTH_COMPONENT
+    GLenum base;
     pipeline::BaseFormat base_format;
     pipeline::TexelStorage storage;
     // Bits kept of each component: R, G, B, A. Luminance and intensity are counted in R (and in G and B
-    // alike).
+    // alike), depth in R.
     std::array<unsigned char, 4> bits;
 };
 

@@ -47,6 +47,10 @@ bool is_wrap_mode(GLenum mode) {
     }
 }
 
+bool is_one_of(GLenum value, std::initializer_list<GLenum> allowed) {
+    return std::find(allowed.begin(), allowed.end(), value) != allowed.end();
+}
+
 GLfloat clamp_to_unit(GLfloat value) {
     return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
 }
@@ -82,6 +86,21 @@ Rule set_parameter(TextureParameters& parameters, GLenum pname, const GLfloat* v
             return set_wrap(parameters.wrap_t, value);
         case GL_TEXTURE_WRAP_R:
             return set_wrap(parameters.wrap_r, value);
+        case GL_DEPTH_TEXTURE_MODE:
+            if (!is_one_of(to_enum(value), {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}))
+                return {GL_INVALID_ENUM, "unknown depth texture mode"};
+            parameters.depth_mode = to_enum(value);
+            return {};
+        case GL_TEXTURE_COMPARE_MODE:
+            if (!is_one_of(to_enum(value), {GL_NONE, GL_COMPARE_R_TO_TEXTURE}))
+                return {GL_INVALID_ENUM, "unknown compare mode"};
+            parameters.compare_mode = to_enum(value);
+            return {};
+        case GL_TEXTURE_COMPARE_FUNC:
+            if (to_enum(value) < GL_NEVER || to_enum(value) > GL_ALWAYS)
+                return {GL_INVALID_ENUM, "unknown compare function"};
+            parameters.compare_func = to_enum(value);
+            return {};
         case GL_TEXTURE_BASE_LEVEL:
             return set_level(parameters.base_level, value);
         case GL_TEXTURE_MAX_LEVEL:
@@ -123,6 +142,15 @@ bool query(const TextureParameters& parameters, GLenum pname, GLfloat* values) {
             return true;
         case GL_TEXTURE_WRAP_R:
             *values = static_cast<GLfloat>(parameters.wrap_r);
+            return true;
+        case GL_DEPTH_TEXTURE_MODE:
+            *values = static_cast<GLfloat>(parameters.depth_mode);
+            return true;
+        case GL_TEXTURE_COMPARE_MODE:
+            *values = static_cast<GLfloat>(parameters.compare_mode);
+            return true;
+        case GL_TEXTURE_COMPARE_FUNC:
+            *values = static_cast<GLfloat>(parameters.compare_func);
             return true;
         case GL_TEXTURE_BASE_LEVEL:
             *values = static_cast<GLfloat>(parameters.base_level);

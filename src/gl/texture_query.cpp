@@ -3,26 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/pixel_convert.h"
+#include "gl/pixel_transfer.h"
 #include "gl/texel_row.h"
 #include "gl/texture_spec.h"
 
 namespace terrazzo::gl {
 namespace {
-
-const TextureObject* object_or_proxy(Context& ctx, GLenum target) {
-    switch (target) {
-        case GL_PROXY_TEXTURE_1D:
-            return &ctx.texture.proxies[kTexture1D];
-        case GL_PROXY_TEXTURE_2D:
-            return &ctx.texture.proxies[kTexture2D];
-        default:
-            return bound_texture(ctx, target);
-    }
-}
 
 // Bits of channel `channel` if the format's base has it under this name.
 GLint component_size(const TextureLevel& level, size_t channel, std::initializer_list<GLenum> bases) {
@@ -41,7 +32,7 @@ bool query_level(const TextureLevel& level, GLenum pname, GLint& value) {
             value = level.height;
             return true;
         case GL_TEXTURE_DEPTH:
-            value = level.format ? 1 : 0;
+            value = level.depth;
             return true;
         case GL_TEXTURE_BORDER:
             value = level.border;
@@ -67,6 +58,9 @@ bool query_level(const TextureLevel& level, GLenum pname, GLint& value) {
         case GL_TEXTURE_INTENSITY_SIZE:
             value = component_size(level, 0, {GL_INTENSITY});
             return true;
+        case GL_TEXTURE_DEPTH_SIZE:
+            value = component_size(level, 0, {GL_DEPTH_COMPONENT});
+            return true;
         default:
             return false;
     }
@@ -86,15 +80,36 @@ bool goes_through_bytes(const TexelFormat& texel, GLenum format, GLenum type) {
     return keeps_all_bits(texel) && (!find_packed_type(type) || texel.base == GL_RGBA);
 }
 
-void pack_texels(const PixelStore& pack, const TextureLevel& level, int x, int y, int count, GLenum format,
-                 GLenum type, uint8_t* destination) {
+void pack_depth_texels(const PixelState& state, const TextureLevel& level, int x, int y, int count,
+                       GLenum type, uint8_t* destination) {
+    const uint32_t* const integers = level.image->depths(x, y);
+    const int bits = level.format->bits[0];
+    const bool changes = changes_depths(state);
+    if (bits == 32 && type == GL_UNSIGNED_INT && !state.pack.swap_bytes && !changes) {
+        std::memcpy(destination, integers, static_cast<size_t>(count) * sizeof *integers);
+        return;
+    }
+    // Of 16 bits in single precision, as in the reference.
+    const double scale = bits == 16 ? static_cast<double>(1.0f / 65535.0f)
+                                    : 1.0 / static_cast<double>((uint64_t{1} << bits) - 1);
+    float depths[kPixelChunk];
+    for (int i = 0; i < count; ++i) depths[i] = static_cast<float>(integers[i] * scale);
+    if (changes) transfer_depths(state, depths, count);
+    pack_depths(type, state.pack.swap_bytes, depths, count, destination);
+}
+
+void pack_texels(const PixelState& state, const TextureLevel& level, int x, int y, int z, int count,
+                 GLenum format, GLenum type, uint8_t* destination) {
+    const PixelStore& pack = state.pack;
+    if (level.format->base == GL_DEPTH_COMPONENT)
+        return pack_depth_texels(state, level, x, y, count, type, destination);
     uint8_t bytes[4 * kPixelChunk];
     if (goes_through_bytes(*level.format, format, type)) {
-        load_texels(*level.format, *level.image, x, y, count, bytes);
+        load_texels(*level.format, *level.image, x, y, z, count, bytes);
         return pack_rgba8(format, type, pack.swap_bytes, bytes, count, destination);
     }
     float rgba[4 * kPixelChunk];
-    load_texels(*level.format, *level.image, x, y, count, rgba);
+    load_texels(*level.format, *level.image, x, y, z, count, rgba);
     if (!has_8_bit_components(type)) {
         return pack_rgba_float(format, type, pack.swap_bytes, rgba, count, destination);
     }
@@ -105,38 +120,45 @@ void pack_texels(const PixelStore& pack, const TextureLevel& level, int x, int y
 
 }  // namespace
 
-void get_tex_level_parameterfv(Context& ctx, GLenum target, GLint level, GLenum pname, GLfloat* params) {
-    const TextureObject* object = object_or_proxy(ctx, target);
-    if (!object) return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
+void get_tex_level_parameterfv(Context& ctx, GLenum target_name, GLint level, GLenum pname, GLfloat* params) {
+    const ImageTarget target = find_image_target(ctx, target_name);
+    if (!target.object) return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
     if (!is_level(level)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
     const auto lock = lock_textures(ctx);
     GLint value = 0;
-    if (!query_level(object->levels[static_cast<size_t>(level)], pname, value)) {
+    if (!query_level(target.level(level), pname, value)) {
         return record_error(ctx, GL_INVALID_ENUM, "unknown texture level parameter");
     }
     *params = static_cast<GLfloat>(value);
 }
 
-void get_tex_image(Context& ctx, GLenum target, GLint level_number, GLenum format, GLenum type,
+void get_tex_image(Context& ctx, GLenum target_name, GLint level_number, GLenum format, GLenum type,
                    void* pixels) {
-    TextureObject* object = bound_texture(ctx, target);
-    if (!object) return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
+    const ImageTarget target = find_image_target(ctx, target_name);
+    if (!target.object || target.is_proxy)
+        return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
     if (!is_level(level_number)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
     Rule rule = check_texture_pixels(format, type);
     if (format == GL_COLOR_INDEX) rule = {GL_INVALID_ENUM, "textures hold no colour indices"};
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     const auto lock = lock_textures(ctx);
-    const TextureLevel& level = object->levels[static_cast<size_t>(level_number)];
+    const TextureLevel& level = target.level(level_number);
+    if (level.format) rule = check_pixels_fit(format, *level.format);
+    if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     if (!level.image || !pixels) return;
-    const PixelStore& pack = ctx.pixels.pack;
-    const ImageLayout layout = image_layout(pack, level.width, format, type);
+    const pipeline::TextureImage& image = *level.image;
+    const ImageLayout layout =
+        image_layout(ctx.pixels.pack, level.width, level.height, target.dimensions, format, type);
     const size_t pixel_size = bytes_per_pixel(format, type);
-    auto* row = static_cast<uint8_t*>(pixels) + layout.offset;
-    for (GLsizei y = 0; y < level.height; ++y, row += layout.row_stride) {
-        for (GLsizei x = 0; x < level.width; x += kPixelChunk) {
-            const int count = std::min(kPixelChunk, level.width - x);
-            pack_texels(pack, level, x - level.image->border_x, y - level.image->border_y, count, format,
-                        type, row + static_cast<size_t>(x) * pixel_size);
+    auto* first = static_cast<uint8_t*>(pixels) + layout.offset;
+    for (GLsizei z = 0; z < level.depth; ++z, first += layout.image_stride) {
+        uint8_t* row = first;
+        for (GLsizei y = 0; y < level.height; ++y, row += layout.row_stride) {
+            for (GLsizei x = 0; x < level.width; x += kPixelChunk) {
+                const int count = std::min(kPixelChunk, level.width - x);
+                pack_texels(ctx.pixels, level, x - image.border_x, y - image.border_y, z - image.border_z,
+                            count, format, type, row + static_cast<size_t>(x) * pixel_size);
+            }
         }
     }
 }

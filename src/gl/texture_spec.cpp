@@ -15,8 +15,8 @@ namespace {
 // As much as the reference gives one image: 16384 x 16384 of 8 bits a component.
 constexpr size_t kMaxImageBytes = size_t{1} << 30;
 
-bool is_supported_extent(GLsizei size, GLint border, GLint level) {
-    return size >= 2 * border && size <= (kMaxTextureSize >> level) + 2 * border;
+bool is_supported_extent(GLsizei size, GLint border, GLint level, GLsizei largest) {
+    return size >= 2 * border && size <= (largest >> level) + 2 * border;
 }
 
 // Whether pixels become texels by way of bytes. Bytes carry everything then; where both ways would do, the
@@ -43,16 +43,20 @@ class RowUploader {
           m_exact(holds_all_values(format, client.type)),
           m_transfer(changes_colors(state)) {}
 
-    void store(const uint8_t* source, int first_bit, int count, int x, int y) const {
+    void store(const uint8_t* source, int first_bit, int count, int x, int y, int z) const {
         const bool swap_bytes = m_state.unpack.swap_bytes;
+        if (m_format.base == GL_DEPTH_COMPONENT) {
+            return store_depths(m_state, m_client.type, m_format.bits[0], source, count,
+                                m_image.depths(x, y));
+        }
         if (m_direct) {
-            uint8_t* texels = m_image.rgba8(x, y);
+            uint8_t* texels = m_image.rgba8(x, y, z);
             return unpack_rgba8(m_client.format, m_client.type, swap_bytes, source, count, texels);
         }
         if (m_bytes) {
             uint8_t rgba[4 * kPixelChunk];
             unpack_rgba8(m_client.format, m_client.type, swap_bytes, source, count, rgba);
-            return store_texels(m_format, rgba, Rounding::kThroughBytes, count, m_image, x, y);
+            return store_texels(m_format, rgba, Rounding::kThroughBytes, count, m_image, x, y, z);
         }
         float rgba[4 * kPixelChunk];
         Rounding rounding = Rounding::kThroughBytes;
@@ -70,7 +74,7 @@ class RowUploader {
                 rounding = Rounding::kNone;
             }
         }
-        store_texels(m_format, rgba, rounding, count, m_image, x, y);
+        store_texels(m_format, rgba, rounding, count, m_image, x, y, z);
     }
 
   private:
@@ -90,50 +94,65 @@ bool is_level(GLint level) {
     return level >= 0 && level < kMaxTextureLevels;
 }
 
-Rule check_level_spec(const LevelSpec& spec) {
+Rule check_level_spec(const LevelSpec& spec, bool is_cube) {
     if (!is_level(spec.level)) return {GL_INVALID_VALUE, "no such mipmap level"};
-    if (spec.width < 0 || spec.height < 0) return {GL_INVALID_VALUE, "the size is negative"};
+    if (spec.width < 0 || spec.height < 0 || spec.depth < 0)
+        return {GL_INVALID_VALUE, "the size is negative"};
     if (spec.border != 0 && spec.border != 1) return {GL_INVALID_VALUE, "the border is neither 0 nor 1"};
+    if (is_cube && spec.width != spec.height) return {GL_INVALID_VALUE, "a face of a cube map is square"};
     return {};
 }
 
-bool is_supported_size(const LevelSpec& spec) {
-    return is_supported_extent(spec.width, spec.border, spec.level) &&
-           (spec.is_1d || is_supported_extent(spec.height, spec.border, spec.level));
+bool is_supported_size(const LevelSpec& spec, bool is_cube) {
+    const GLsizei largest = is_cube                ? kMaxCubeTextureSize
+                            : spec.dimensions == 3 ? kMax3dTextureSize
+                                                   : kMaxTextureSize;
+    return is_supported_extent(spec.width, spec.border, spec.level, largest) &&
+           (spec.dimensions < 2 || is_supported_extent(spec.height, spec.border, spec.level, largest)) &&
+           (spec.dimensions < 3 || is_supported_extent(spec.depth, spec.border, spec.level, largest));
 }
 
 bool is_supported_memory(const LevelSpec& spec, const TexelFormat& format) {
     // The border may go on top of the limit.
     const auto texels = static_cast<size_t>(spec.width - 2 * spec.border) *
-                        static_cast<size_t>(spec.height - 2 * spec.border_y());
+                        static_cast<size_t>(spec.height - 2 * spec.border_y()) *
+                        static_cast<size_t>(spec.depth - 2 * spec.border_z());
     return texels <= kMaxImageBytes / pipeline::bytes_per_texel(format.storage);
 }
 
 Rule check_texture_pixels(GLenum format, GLenum type) {
     if (const Rule rule = check_client_pixel(format, type); rule.code != GL_NO_ERROR) return rule;
     if (format == GL_STENCIL_INDEX) return {GL_INVALID_ENUM, "stencil indices are no texels"};
-    if (format == GL_DEPTH_COMPONENT) {
-        return {GL_INVALID_OPERATION, "depth pixels need a depth texture"};
-    }
     return {};
 }
 
+Rule check_pixels_fit(GLenum client_format, const TexelFormat& format) {
+    if ((client_format == GL_DEPTH_COMPONENT) == (format.base == GL_DEPTH_COMPONENT)) return {};
+    return {GL_INVALID_OPERATION, "depth pixels belong to depth textures, and no others do"};
+}
+
 TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format) {
-    TextureLevel level{spec.width, spec.height, spec.border, spec.internal_format, &format, nullptr};
-    const GLsizei width = spec.width - 2 * spec.border;
-    const GLsizei height = spec.height - 2 * spec.border_y();
-    if (width == 0 || height == 0) return level;
-    level.image = pipeline::TextureImage::create(width, height, spec.border, spec.border_y(), format.storage,
-                                                 format.base_format);
+    TextureLevel level{spec.width,           spec.height, spec.depth, spec.border,
+                       spec.internal_format, &format,     nullptr};
+    const pipeline::TextureImage::Size size{spec.width - 2 * spec.border,
+                                            spec.height - 2 * spec.border_y(),
+                                            spec.depth - 2 * spec.border_z(),
+                                            spec.border,
+                                            spec.border_y(),
+                                            spec.border_z()};
+    if (size.width == 0 || size.height == 0 || size.depth == 0) return level;
+    level.image = pipeline::TextureImage::create(size, format.storage, format.base_format);
     if (!level.image) throw std::bad_alloc();
     return level;
 }
 
-bool contains(const TextureLevel& level, const LevelRect& rect) {
+bool contains(const TextureLevel& level, const LevelBox& box) {
     const int64_t border_x = level.border;
     const int64_t border_y = level.image ? level.image->border_y : level.border;
-    return rect.x >= -border_x && int64_t{rect.x} + rect.width <= level.width - border_x &&
-           rect.y >= -border_y && int64_t{rect.y} + rect.height <= level.height - border_y;
+    const int64_t border_z = level.image ? level.image->border_z : level.border;
+    return box.x >= -border_x && int64_t{box.x} + box.width <= level.width - border_x && box.y >= -border_y &&
+           int64_t{box.y} + box.height <= level.height - border_y && box.z >= -border_z &&
+           int64_t{box.z} + box.depth <= level.depth - border_z;
 }
 
 pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
@@ -145,16 +164,21 @@ pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
 }
 
 void upload(const PixelState& state, const ClientImage& client, const TexelFormat& format,
-            const LevelRect& rect, pipeline::TextureImage& image) {
-    const ImageLayout layout = image_layout(state.unpack, rect.width, client.format, client.type);
+            const LevelBox& box, int dimensions, pipeline::TextureImage& image) {
+    const ImageLayout layout =
+        image_layout(state.unpack, box.width, box.height, dimensions, client.format, client.type);
     const size_t pixel_size = bytes_per_pixel(client.format, client.type);
     const RowUploader uploader(state, client, format, image);
-    const auto* row = static_cast<const uint8_t*>(client.pixels) + layout.offset;
-    for (GLsizei y = 0; y < rect.height; ++y, row += layout.row_stride) {
-        for (GLsizei x = 0; x < rect.width; x += kPixelChunk) {
-            const uint8_t* source = row + static_cast<size_t>(x) * pixel_size;
-            const int first_bit = client.type == GL_BITMAP ? layout.first_bit + x : 0;
-            uploader.store(source, first_bit, std::min(kPixelChunk, rect.width - x), rect.x + x, rect.y + y);
+    const auto* first = static_cast<const uint8_t*>(client.pixels) + layout.offset;
+    for (GLsizei z = 0; z < box.depth; ++z, first += layout.image_stride) {
+        const uint8_t* row = first;
+        for (GLsizei y = 0; y < box.height; ++y, row += layout.row_stride) {
+            for (GLsizei x = 0; x < box.width; x += kPixelChunk) {
+                const uint8_t* source = row + static_cast<size_t>(x) * pixel_size;
+                const int first_bit = client.type == GL_BITMAP ? layout.first_bit + x : 0;
+                uploader.store(source, first_bit, std::min(kPixelChunk, box.width - x), box.x + x, box.y + y,
+                               box.z + z);
+            }
         }
     }
 }

@@ -9,43 +9,51 @@
 
 namespace terrazzo::gl {
 
-// What a command says about a level. 1D images have height 1 and no border in y.
+// What a command says about a level. Sizes that its dimensions do not have are 1, without a border.
 struct LevelSpec {
     GLint level;
     GLint internal_format;
     GLsizei width;  // with border
     GLsizei height;
+    GLsizei depth;
     GLint border;
-    bool is_1d;
+    int dimensions;
 
-    GLint border_y() const { return is_1d ? 0 : border; }
+    GLint border_y() const { return dimensions > 1 ? border : 0; }
+    GLint border_z() const { return dimensions > 2 ? border : 0; }
 };
 
-// A rectangle of a level, relative to its interior: from -border on.
-struct LevelRect {
-    GLint x, y;
-    GLsizei width, height;
+// A box of a level, relative to its interior: from -border on.
+struct LevelBox {
+    GLint x, y, z;
+    GLsizei width, height, depth;
+
+    bool is_empty() const { return width == 0 || height == 0 || depth == 0; }
 };
 
 bool is_level(GLint level);
 
 // Level, sizes and border that are wrong whatever the implementation can do.
-Rule check_level_spec(const LevelSpec& spec);
+Rule check_level_spec(const LevelSpec& spec, bool is_cube);
 
 // Whether an image of this size can be made at this level; if not, GL_INVALID_VALUE, or an empty proxy.
-bool is_supported_size(const LevelSpec& spec);
+bool is_supported_size(const LevelSpec& spec, bool is_cube);
 
 // Whether the memory for one image is within bounds; if not, GL_OUT_OF_MEMORY, or an empty proxy.
 bool is_supported_memory(const LevelSpec& spec, const TexelFormat& format);
 
-// Whether `format` and `type` can describe colours for a texture.
+// Whether `format` and `type` can describe texels.
 Rule check_texture_pixels(GLenum format, GLenum type);
+
+// Whether pixels of `client_format` can become or be made of texels of `format`: depths of depths, colours of
+// colours.
+Rule check_pixels_fit(GLenum client_format, const TexelFormat& format);
 
 // A level ready to be put into a texture object, its image zero. Throws std::bad_alloc.
 TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format);
 
-// Whether `rect` lies within the level; `level` is specified.
-bool contains(const TextureLevel& level, const LevelRect& rect);
+// Whether `box` lies within the level; `level` is specified.
+bool contains(const TextureLevel& level, const LevelBox& box);
 
 // The level's image, to be written to; a copy takes its place if queued draws refer to it. `level` has one,
 // and `begin_change` was called. Throws std::bad_alloc.
@@ -59,6 +67,6 @@ struct ClientImage {
 
 // Converts a client image through the unpack and pixel transfer state into texels.
 void upload(const PixelState& state, const ClientImage& client, const TexelFormat& format,
-            const LevelRect& rect, pipeline::TextureImage& image);
+            const LevelBox& box, int dimensions, pipeline::TextureImage& image);
 
 }  // namespace terrazzo::gl

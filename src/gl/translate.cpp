@@ -140,6 +140,16 @@ raster::Wrap translate_wrap(GLenum wrap) {
     return raster::Wrap::kRepeat;
 }
 
+raster::BaseFormat translate_depth_mode(GLenum mode) {
+    switch (mode) {
+        case GL_INTENSITY:
+            return raster::BaseFormat::kIntensity;
+        case GL_ALPHA:
+            return raster::BaseFormat::kAlpha;
+    }
+    return raster::BaseFormat::kLuminance;
+}
+
 pipeline::TexgenMode translate_texgen_mode(GLenum mode) {
     switch (mode) {
         case GL_OBJECT_LINEAR:

@@ -28,6 +28,7 @@ raster::LogicOp translate_logic_op(GLenum op);
 raster::EnvMode translate_env_mode(GLenum mode);
 raster::CombineFunction translate_combine_function(GLenum function);
 raster::Wrap translate_wrap(GLenum wrap);
+raster::BaseFormat translate_depth_mode(GLenum mode);
 pipeline::TexgenMode translate_texgen_mode(GLenum mode);
 pipeline::FillMode translate_fill_mode(GLenum mode);
 pipeline::ComponentType translate_type(GLenum type);

@@ -107,14 +107,17 @@ void make_raster(const Context& ctx, pipeline::RasterState& out) {
     out.sprite_units = point.sprite ? point.coord_replace : 0;
 }
 
-// The texture a unit samples, null where texturing is off or the texture incomplete.
+// The texture a unit samples, null where texturing is off or the textures incomplete: as in the reference,
+// the next enabled target takes the place of one whose texture is.
 const TextureObject* sampled_texture(const TextureUnit& unit, TextureCompleteness& levels) {
-    const int target = unit.enabled_2d ? kTexture2D : unit.enabled_1d ? kTexture1D : -1;
-    if (target < 0) return nullptr;
-    const TextureObject* const object = unit.bound[static_cast<std::size_t>(target)].get();
-    if (object == nullptr) return nullptr;
-    levels = completeness(*object);
-    return levels.complete ? object : nullptr;
+    for (std::size_t target = kTextureTargetCount; target-- > 0;) {
+        if (!unit.enabled[target]) continue;
+        const TextureObject* const object = unit.bound[target].get();
+        if (object == nullptr) continue;
+        levels = completeness(*object);
+        if (levels.complete) return object;
+    }
+    return nullptr;
 }
 
 void set_filters(const TextureParameters& p, raster::Sampler& out) {
@@ -175,41 +178,65 @@ float quantized_bias(GLfloat bias) {
     return std::round(std::clamp(bias, -kMaxTextureLodBias, kMaxTextureLodBias) * 256) / 256;
 }
 
-raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, const TextureObject& object,
-                                const TextureCompleteness& levels,
-                                std::vector<std::shared_ptr<const void>>& images) {
-    raster::TextureStage stage;
-    stage.unit = static_cast<std::uint8_t>(unit_number);
-    stage.mode = translate_env_mode(unit_state.env.mode);
-    std::transform(unit_state.env.color.begin(), unit_state.env.color.end(), stage.env_color, unit);
+raster::Sampler make_sampler(const TextureUnit& unit_state, const TextureObject& object, int face,
+                             const TextureCompleteness& levels,
+                             std::vector<std::shared_ptr<const void>>& images) {
+    raster::Sampler sampler;
     const TextureParameters& p = object.parameters;
-    raster::Sampler& sampler = stage.sampler;
     set_filters(p, sampler);
-    sampler.dimensions = object.target == GL_TEXTURE_1D ? 1 : 2;
+    sampler.dimensions = object.target == GL_TEXTURE_1D ? 1 : object.target == GL_TEXTURE_3D ? 3 : 2;
     sampler.wrap_s = translate_wrap(p.wrap_s);
     sampler.wrap_t = translate_wrap(p.wrap_t);
-    // Clamped coordinates pick border texels only where neighbours are mixed.
+    sampler.wrap_r = translate_wrap(p.wrap_r);
+    // Clamped coordinates pick border texels only where neighbours are mixed. Faces of cube maps end at their
+    // edges, whatever the wrap mode.
     const bool nearest =
         sampler.min_filter == raster::Filter::kNearest && sampler.mag_filter == raster::Filter::kNearest;
-    for (raster::Wrap* const wrap : {&sampler.wrap_s, &sampler.wrap_t})
-        if (nearest && *wrap == raster::Wrap::kClamp) *wrap = raster::Wrap::kClampToEdge;
+    const bool is_face = object.target == GL_TEXTURE_CUBE_MAP;
+    for (raster::Wrap* const wrap : {&sampler.wrap_s, &sampler.wrap_t, &sampler.wrap_r})
+        if (is_face || (nearest && *wrap == raster::Wrap::kClamp)) *wrap = raster::Wrap::kClampToEdge;
+    sampler.in_floats =
+        is_face && sampler.mip_filter != raster::MipFilter::kNone && sampler.min_filter != sampler.mag_filter;
     sampler.lod_bias = quantized_bias(p.lod_bias) + quantized_bias(unit_state.env.lod_bias);
     sampler.min_lod = p.min_lod;
     sampler.max_lod = p.max_lod;
     std::copy(p.border_color.begin(), p.border_color.end(), sampler.border_color);
     sampler.level_count = static_cast<std::uint8_t>(levels.last - levels.base + 1);
     for (int level = levels.base; level <= levels.last; ++level) {
-        const auto& image = object.levels[static_cast<std::size_t>(level)].image;
-        const void* const texels = image->storage == pipeline::TexelStorage::kRgba8
-                                       ? static_cast<const void*>(image->rgba8(0, 0))
-                                       : image->rgba32f(0, 0);
-        sampler.levels[static_cast<std::size_t>(level - levels.base)] = {texels, image->width, image->height,
-                                                                         image->pitch};
+        const auto& image = object.face(face)[static_cast<std::size_t>(level)].image;
+        sampler.levels[static_cast<std::size_t>(level - levels.base)] = {
+            image->first_texel(), image->width, image->height, image->pitch, image->depth, image->slice()};
         images.push_back(image.shared());
     }
+    const TextureLevel& base = object.face(face)[static_cast<std::size_t>(levels.base)];
+    sampler.storage = base.image->storage;
+    if (sampler.storage == raster::TexelStorage::kDepth) {
+        sampler.depth_mode = translate_depth_mode(p.depth_mode);
+        sampler.depth_bits = base.format->bits[0];
+        sampler.compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
+        sampler.compare_func = translate_compare(p.compare_func);
+    }
+    return sampler;
+}
+
+raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, const TextureObject& object,
+                                const TextureCompleteness& levels, pipeline::FragmentBlock& block) {
+    raster::TextureStage stage;
+    stage.unit = static_cast<std::uint8_t>(unit_number);
+    stage.mode = translate_env_mode(unit_state.env.mode);
+    std::transform(unit_state.env.color.begin(), unit_state.env.color.end(), stage.env_color, unit);
+    stage.sampler = make_sampler(unit_state, object, 0, levels, block.images);
+    if (object.target == GL_TEXTURE_CUBE_MAP) {
+        auto faces = std::make_unique<pipeline::FragmentBlock::CubeFaces>();
+        for (int face = 0; face < kCubeFaces; ++face)
+            (*faces)[static_cast<std::size_t>(face)] =
+                make_sampler(unit_state, object, face, levels, block.images);
+        stage.sampler.faces = faces->data();
+        block.cubes.push_back(std::move(faces));
+    }
     const pipeline::TextureImage& base = *object.levels[static_cast<std::size_t>(levels.base)].image;
-    sampler.storage = base.storage;
-    stage.base_format = base.base_format;
+    stage.base_format =
+        base.storage == pipeline::TexelStorage::kDepth ? stage.sampler.depth_mode : base.base_format;
     return stage;
 }
 
@@ -336,8 +363,9 @@ void make_fog(const Context& ctx, raster::FragmentState& out) {
     }
 }
 
+// `used_units`, and those of them that look at r or divide by q: one bit each.
 raster::Varyings lay_out_varyings(const raster::FragmentKey& key, bool secondary_varies, unsigned used_units,
-                                  unsigned projective_units) {
+                                  unsigned units_with_r, unsigned projective_units) {
     raster::Varyings v;
     int next = 0;
     const auto take = [&](int planes) {
@@ -349,8 +377,10 @@ raster::Varyings lay_out_varyings(const raster::FragmentKey& key, bool secondary
     if (key.separate_specular && secondary_varies) v.secondary = take(3);
     if (key.fog != raster::FogMode::kNone) v.fog = take(1);
     for (std::size_t u = 0; u < kMaxTextureUnits; ++u)
-        if (used_units >> u & 1) v.texture[u] = take(projective_units >> u & 1 ? 4 : 2);
+        if (used_units >> u & 1)
+            v.texture[u] = take(projective_units >> u & 1 ? 4 : units_with_r >> u & 1 ? 3 : 2);
     v.projective = static_cast<std::uint8_t>(projective_units);
+    v.uses_r = static_cast<std::uint8_t>(units_with_r | projective_units);
     v.count = static_cast<std::uint8_t>(next);
     return v;
 }
@@ -362,7 +392,7 @@ bool is_plain_bilinear(const std::vector<raster::TextureStage>& stages, unsigned
     const raster::Sampler& s = stage.sampler;
     const bool linear = s.mip_filter == raster::MipFilter::kNone && s.min_filter == raster::Filter::kLinear &&
                         s.mag_filter == raster::Filter::kLinear;
-    return linear && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 &&
+    return linear && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 && s.faces == nullptr &&
            s.storage == raster::TexelStorage::kRgba8 && s.wrap_s == raster::Wrap::kRepeat &&
            s.wrap_t == raster::Wrap::kRepeat &&
            (stage.base_format == raster::BaseFormat::kRgb || stage.base_format == raster::BaseFormat::kRgba);
@@ -424,7 +454,7 @@ unsigned add_texture_stages(Context& ctx, pipeline::FragmentBlock& block) {
         TextureCompleteness levels;
         const TextureObject* const object = sampled_texture(unit_state, levels);
         if (object == nullptr) continue;
-        block.stages.push_back(make_stage(u, unit_state, *object, levels, block.images));
+        block.stages.push_back(make_stage(u, unit_state, *object, levels, block));
         used |= 1u << u;
     }
     for (raster::TextureStage& stage : block.stages) {
@@ -432,6 +462,16 @@ unsigned add_texture_stages(Context& ctx, pipeline::FragmentBlock& block) {
             make_combiner(ctx.texture.units[stage.unit].env, used, stage);
     }
     return used;
+}
+
+// The units whose textures have a third coordinate, a bit each.
+unsigned units_with_r(const std::vector<raster::TextureStage>& stages) {
+    unsigned units = 0;
+    for (const raster::TextureStage& stage : stages) {
+        const raster::Sampler& sampler = stage.sampler;
+        if (sampler.dimensions == 3 || sampler.faces || sampler.compares) units |= 1u << stage.unit;
+    }
+    return units;
 }
 
 // For the occlusion query that is going on.
@@ -478,7 +518,8 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
                                        : raster::TextureKind::kModulateBilinearRgba8;
     const auto& secondary = input.constants[pipeline::kSecondaryColor];
     std::transform(secondary.begin(), secondary.begin() + 3, state.constant_secondary, unit);
-    state.varyings = lay_out_varyings(key, secondary_varies(ctx, input), used, projective);
+    state.varyings =
+        lay_out_varyings(key, secondary_varies(ctx, input), used, units_with_r(block->stages), projective);
     block->complete(draw.raster.line_smooth, draw.raster.point_smooth);
     draw.vertex.varyings = state.varyings;
     draw.fragment = std::move(block);
@@ -514,7 +555,7 @@ std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx
     key.image =
         image == raster::PixelImage::kRgba8 && shows_image(state) ? raster::PixelImage::kVerbatim : image;
     if (image == raster::PixelImage::kStencil) key.stencil_test = true;
-    state.varyings = lay_out_varyings(key, true, used, projective);
+    state.varyings = lay_out_varyings(key, true, used, units_with_r(block->stages), projective);
     block->complete(false, false);
     return block;
 }

@@ -30,7 +30,8 @@ void weigh_errors(raster::FragmentState& state) {
         const bool exact = state.key.texture == raster::TextureKind::kGeneral || !state.key.perspective;
         weights[first] = exact ? 0.0f : static_cast<float>(level.width) / 8;
         weights[first + 1] = exact ? 0.0f : static_cast<float>(level.height) / 8;
-        if (v.projective >> stage.unit & 1) weights[first + 2] = weights[first + 3] = 0.0f;
+        if (v.uses_r >> stage.unit & 1) weights[first + 2] = 0.0f;
+        if (v.projective >> stage.unit & 1) weights[first + 3] = 0.0f;
     }
 }
 

@@ -2,6 +2,7 @@
 // and so do the images it samples.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -15,13 +16,15 @@ struct FragmentBlock {
     // stipple touches. `textures` and `polygon_stipple` point into this block.
     raster::FragmentState fill, line, point;
     std::vector<raster::TextureStage> stages;
+    using CubeFaces = std::array<raster::Sampler, 6>;
+    std::vector<std::unique_ptr<const CubeFaces>> cubes;
     std::vector<uint32_t> polygon_stipple;
     std::vector<std::shared_ptr<const void>> images;  // and whatever else the states point at
 
     // Without the images, which textures hold.
     size_t size_in_bytes() const {
         return sizeof *this + stages.capacity() * sizeof stages[0] + 4 * polygon_stipple.capacity() +
-               images.capacity() * sizeof images[0];
+               images.capacity() * sizeof images[0] + cubes.size() * sizeof(CubeFaces);
     }
 
     FragmentBlock() = default;

@@ -79,7 +79,8 @@ void PrimitiveSetup::sprite(int v) {
         dadx[s] = slope * oow;
         a0[t] = static_cast<float>(0.5 - static_cast<double>(down * y)) * oow;
         dady[t] = down * oow;
-        if (varyings.projective >> unit & 1) a0[t + 1] = 0, a0[t + 2] = oow;
+        if (varyings.uses_r >> unit & 1) a0[t + 1] = 0;
+        if (varyings.projective >> unit & 1) a0[t + 2] = oow;
     }
     m_frame.add(*p);
 }

@@ -25,18 +25,20 @@ TextureImage::~TextureImage() {
     if (m_abandoned) abandoned.fetch_sub(size_in_bytes(), std::memory_order_relaxed);
 }
 
-std::shared_ptr<TextureImage> TextureImage::create(int width, int height, int border_x, int border_y,
-                                                   TexelStorage storage, BaseFormat base_format) {
+std::shared_ptr<TextureImage> TextureImage::create(const Size& size, TexelStorage storage,
+                                                   BaseFormat base_format) {
     std::shared_ptr<TextureImage> image;
     try {
         image = std::make_shared<TextureImage>();
     } catch (const std::bad_alloc&) {
         return nullptr;
     }
-    image->width = width;
-    image->height = height;
-    image->border_x = border_x;
-    image->border_y = border_y;
+    image->width = size.width;
+    image->height = size.height;
+    image->depth = size.depth;
+    image->border_x = size.border_x;
+    image->border_y = size.border_y;
+    image->border_z = size.border_z;
     image->storage = storage;
     image->base_format = base_format;
     image->pitch = image->stored_width();
@@ -47,7 +49,8 @@ std::shared_ptr<TextureImage> TextureImage::create(int width, int height, int bo
 }
 
 std::shared_ptr<TextureImage> TextureImage::clone() const {
-    std::shared_ptr<TextureImage> copy = create(width, height, border_x, border_y, storage, base_format);
+    std::shared_ptr<TextureImage> copy =
+        create({width, height, depth, border_x, border_y, border_z}, storage, base_format);
     if (copy) std::memcpy(copy->m_texels, m_texels, size_in_bytes());
     return copy;
 }

@@ -21,7 +21,7 @@ using raster::BaseFormat;
 using raster::TexelStorage;
 
 constexpr size_t bytes_per_texel(TexelStorage storage) {
-    return storage == TexelStorage::kRgba8 ? 4 : 16;
+    return storage == TexelStorage::kRgba32F ? 16 : 4;
 }
 
 struct TextureImage {
@@ -30,24 +30,44 @@ struct TextureImage {
     static constexpr size_t kPaddingBytes = 64;
 
     // An image of zeros; null when memory is short.
-    static std::shared_ptr<TextureImage> create(int width, int height, int border_x, int border_y,
-                                                TexelStorage storage, BaseFormat base_format);
+    struct Size {
+        int width = 1, height = 1, depth = 1;  // texels of the image proper, without border
+        int border_x = 0;                      // 0 or 1 texel on either side; 1D images have none in y
+        int border_y = 0;
+        int border_z = 0;
+    };
+    static std::shared_ptr<TextureImage> create(const Size& size, TexelStorage storage,
+                                                BaseFormat base_format);
 
     // A private copy of the same texels; null when memory is short.
     std::shared_ptr<TextureImage> clone() const;
 
-    // The texel (x, y) with the border outside: x from -border_x to width + border_x - 1, y likewise. Texel
-    // (0, 0) and with it every row of a power-of-two image without border is aligned to 64 bytes as far as
-    // its width allows.
-    const uint8_t* rgba8(int x, int y) const { return m_texels + 4 * index(x, y); }
-    uint8_t* rgba8(int x, int y) { return m_texels + 4 * index(x, y); }
-    const float* rgba32f(int x, int y) const {
-        return reinterpret_cast<const float*>(m_texels) + 4 * index(x, y);
+    // The texel (x, y, z) with the border outside: x from -border_x to width + border_x - 1, y and z
+    // likewise. Texel (0, 0) and with it every row of a power-of-two image without border is aligned to 64
+    // bytes as far as its width allows.
+    const uint8_t* rgba8(int x, int y, int z = 0) const { return m_texels + 4 * index(x, y, z); }
+    uint8_t* rgba8(int x, int y, int z = 0) { return m_texels + 4 * index(x, y, z); }
+    const float* rgba32f(int x, int y, int z = 0) const {
+        return reinterpret_cast<const float*>(m_texels) + 4 * index(x, y, z);
     }
-    float* rgba32f(int x, int y) { return reinterpret_cast<float*>(m_texels) + 4 * index(x, y); }
+    float* rgba32f(int x, int y, int z = 0) {
+        return reinterpret_cast<float*>(m_texels) + 4 * index(x, y, z);
+    }
+    const uint32_t* depths(int x, int y) const {
+        return reinterpret_cast<const uint32_t*>(m_texels) + index(x, y, 0);
+    }
+    uint32_t* depths(int x, int y) { return reinterpret_cast<uint32_t*>(m_texels) + index(x, y, 0); }
+    // The texel (0, 0, 0), whatever its storage.
+    const void* first_texel() const {
+        return m_texels + bytes_per_texel(storage) * static_cast<size_t>(index(0, 0, 0));
+    }
 
     int stored_width() const { return width + 2 * border_x; }
     int stored_height() const { return height + 2 * border_y; }
+    int stored_depth() const { return depth + 2 * border_z; }
+    int slice() const {
+        return pitch * stored_height();
+    }  // texels from one image of a 3D texture to the next
 
     // What no texture holds any more and queued draws still do, in all contexts: frames are drawn when it is
     // much.
@@ -59,20 +79,24 @@ struct TextureImage {
     TextureImage(const TextureImage&) = delete;
     TextureImage& operator=(const TextureImage&) = delete;
 
-    int width = 0;  // texels of the image proper, without border
+    int width = 0;
     int height = 0;
-    int border_x = 0;  // 0 or 1 texel on either side; 1D images have none in y
+    int depth = 1;
+    int border_x = 0;
     int border_y = 0;
+    int border_z = 0;
     int pitch = 0;  // texels from one row to the next
     TexelStorage storage = TexelStorage::kRgba8;
     BaseFormat base_format = BaseFormat::kRgba;
 
   private:
-    ptrdiff_t index(int x, int y) const {
-        return static_cast<ptrdiff_t>(y + border_y) * pitch + (x + border_x);
+    ptrdiff_t index(int x, int y, int z) const {
+        return static_cast<ptrdiff_t>(z + border_z) * slice() + static_cast<ptrdiff_t>(y + border_y) * pitch +
+               (x + border_x);
     }
     size_t size_in_bytes() const {
-        return static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()) * bytes_per_texel(storage);
+        return static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()) *
+               static_cast<size_t>(stored_depth()) * bytes_per_texel(storage);
     }
 
     raster::ZeroedMemory m_memory;

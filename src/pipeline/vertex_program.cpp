@@ -176,9 +176,8 @@ void shade_batch(const VertexState& state, const Needs& needs, const VertexInput
                                             fetch(input, kTexture0 + unit, batch), source);
         store(c.x, out.column(kFirstVarying + first) + at);
         store(c.y, out.column(kFirstVarying + first + 1) + at);
-        if (!(v.projective >> unit & 1)) continue;
-        store(c.z, out.column(kFirstVarying + first + 2) + at);
-        store(c.w, out.column(kFirstVarying + first + 3) + at);
+        if (v.uses_r >> unit & 1) store(c.z, out.column(kFirstVarying + first + 2) + at);
+        if (v.projective >> unit & 1) store(c.w, out.column(kFirstVarying + first + 3) + at);
     }
     if (state.edge_flags) {
         const Mask16 set = fetch(input, kEdgeFlag, batch).x != F32x16(0.0f);

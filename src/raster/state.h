@@ -112,8 +112,8 @@ enum class Filter : uint8_t { kNearest, kLinear };
 enum class MipFilter : uint8_t { kNone, kNearest, kLinear };
 
 // How texels lie in memory: four bytes R, G, B, A for every internal format of at most 8 bits a component, or
-// four floats.
-enum class TexelStorage : uint8_t { kRgba8, kRgba32F };
+// four floats; depths are unsigned integers of 16, 24 or 32 bits, four bytes each.
+enum class TexelStorage : uint8_t { kRgba8, kRgba32F, kDepth };
 
 // How colour lies in a tile: see Target.
 enum class ColorFormat : uint8_t { kRgba8, kRgb565, kRgba16, kRgba32F };
@@ -123,20 +123,33 @@ struct MipLevel {
     int32_t width = 0;             // texels
     int32_t height = 0;
     int32_t pitch = 0;  // texels from row to row
+    int32_t depth = 1;
+    int32_t slice = 0;  // texels from one image of a 3D texture to the next
 };
 
 struct Sampler {
     TexelStorage storage = TexelStorage::kRgba8;
-    uint8_t dimensions = 2;  // 1 or 2
+    uint8_t dimensions = 2;  // 1 to 3
     Wrap wrap_s = Wrap::kRepeat;
     Wrap wrap_t = Wrap::kRepeat;
+    Wrap wrap_r = Wrap::kRepeat;
     Filter min_filter = Filter::kNearest;
     Filter mag_filter = Filter::kLinear;
     MipFilter mip_filter = MipFilter::kNone;
     uint8_t level_count = 1;
+    bool in_floats = false;  // whatever the storage and the wrap modes
     float lod_bias = 0, min_lod = -1000, max_lod = 1000;
     float border_color[4] = {};
     std::array<MipLevel, kMaxMipLevels> levels;
+    // Of a cube map: six samplers of 2D textures, in the order +x -x +y -y +z -z. Lives in the fragment
+    // block.
+    const Sampler* faces = nullptr;
+    // Of depth textures: what a texel becomes, how many bits it has, and the comparison with r that takes its
+    // place.
+    BaseFormat depth_mode = BaseFormat::kLuminance;
+    uint8_t depth_bits = 24;
+    bool compares = false;
+    Compare compare_func = Compare::kLessEqual;
 };
 
 struct TextureStage {
@@ -214,12 +227,18 @@ struct Varyings {
     int8_t color = -1;                               // 4 planes r g b a
     int8_t secondary = -1;                           // 3 planes
     int8_t fog = -1;                                 // 1 plane: the distance
-    std::array<int8_t, kMaxTextureUnits> texture{};  // 2 planes s t, or 4 planes s t r q
+    std::array<int8_t, kMaxTextureUnits> texture{};  // 2 planes s t, 3 planes s t r, or 4 planes s t r q
     uint8_t projective = 0;                          // bit u: unit u has 4 planes and divides by q
+    uint8_t uses_r = 0;                              // bit u: unit u has r
     int8_t coverage = -1;                            // 4 planes, only of smooth lines and points
     uint8_t count = 0;                               // planes in all, without z and 1/w
 
     constexpr Varyings() { texture.fill(-1); }
+
+    // How many planes a unit that samples has.
+    constexpr int texture_planes(size_t unit) const {
+        return projective >> unit & 1 ? 4 : uses_r >> unit & 1 ? 3 : 2;
+    }
 
     // Whether a varying is part of a colour, which flat shading and two-sided lighting treat apart.
     [[gnu::always_inline]] constexpr bool is_color(int varying) const {

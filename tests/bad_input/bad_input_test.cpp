@@ -62,6 +62,7 @@ class BadInput : public testing::Test {
         gl.BindTexture(GL_TEXTURE_2D, 0);
         gl.TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_FLOAT, g_buffer.data());
         gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_FLOAT, g_buffer.data());
+        gl.TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA, 4, 4, 4, 0, GL_RGBA, GL_FLOAT, g_buffer.data());
         ASSERT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
     }
 
@@ -165,9 +166,11 @@ TEST_F(BadInput, OneBadArgumentIsRefusedAndChangesNothing) {
             bad[i].pointer = nullptr;
             if (call.kinds[i] == 'e') {
                 if (takes_any_unit(call)) continue;
+                // Internal formats are values, in the one command too that gives them an enumerant's type.
+                const bool is_format = call.name == std::string("glTexImage3DEXT") && i == 2;
                 for (int value : kUnknownEnums) {
                     bad[i].integer = value;
-                    expect_refused(call, bad, i, GL_INVALID_ENUM);
+                    expect_refused(call, bad, i, is_format ? GL_INVALID_VALUE : GL_INVALID_ENUM);
                 }
             } else if (call.kinds[i] == 'n') {
                 for (int value : {-1, std::numeric_limits<int>::min()}) {
@@ -261,6 +264,8 @@ class RandomArguments {
                                             GL_FRONT,
                                             GL_TEXTURE_1D,
                                             GL_TEXTURE_2D,
+                                            GL_TEXTURE_3D,
+                                            GL_TEXTURE_CUBE_MAP_NEGATIVE_Z,
                                             GL_PROXY_TEXTURE_2D,
                                             GL_RGBA,
                                             GL_DEPTH_COMPONENT,

@@ -1,5 +1,6 @@
 // The list of good calls; see valid_calls.h. The tests' context has a 4x4 RGBA texture bound to GL_TEXTURE_2D
-// and one of 4 texels bound to GL_TEXTURE_1D.
+// one
+// of 4 texels bound to GL_TEXTURE_1D and one of 4x4x4 to GL_TEXTURE_3D.
 #include "valid_calls.h"
 
 #include <map>
@@ -48,6 +49,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glCopyTexImage2D(EXT)?", {GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 4, 4, 0}},
         {"glCopyTexSubImage1D(EXT)?", {GL_TEXTURE_1D, 0, 0, 0, 0, 2}},
         {"glCopyTexSubImage2D(EXT)?", {GL_TEXTURE_2D, 0, 0, 0, 0, 0, 2, 2}},
+        {"glCopyTexSubImage3D(EXT)?", {GL_TEXTURE_3D, 0, 0, 0, 0, 0, 0, 2, 2}},
         {"glCullFace", {GL_FRONT}},
         {"glDeleteBuffers(ARB)?", {1, in}},
         {"glDeleteLists", {1, 1}},
@@ -136,10 +138,12 @@ const std::vector<ValidCall>& valid_calls() {
         {"glTexGen[dfi]v", {GL_S, GL_EYE_PLANE, in}},
         {"glTexImage1D", {GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_FLOAT, in}},
         {"glTexImage2D", {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_FLOAT, in}},
+        {"glTexImage3D(EXT)?", {GL_TEXTURE_3D, 0, GL_RGBA, 4, 4, 4, 0, GL_RGBA, GL_FLOAT, in}},
         {"glTexParameter[fi]", {GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, 9728.0}},  // GL_NEAREST
         {"glTexParameter[fi]v", {GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, in}},
         {"glTexSubImage1D(EXT)?", {GL_TEXTURE_1D, 0, 0, 2, GL_RGBA, GL_FLOAT, in}},
         {"glTexSubImage2D(EXT)?", {GL_TEXTURE_2D, 0, 0, 0, 2, 2, GL_RGBA, GL_FLOAT, in}},
+        {"glTexSubImage3D(EXT)?", {GL_TEXTURE_3D, 0, 0, 0, 0, 2, 2, 2, GL_RGBA, GL_FLOAT, in}},
         {"glUnmapBuffer(ARB)?", {GL_ARRAY_BUFFER}},
         {"glViewport", {0, 0, 1, 1}},
         {"glWindowPos[23][dfis]v(ARB|MESA)?", {in}},

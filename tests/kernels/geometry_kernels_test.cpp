@@ -102,7 +102,7 @@ struct Draw {
         if (!unit.used) return;
         v.texture[0] = static_cast<std::int8_t>(v.count);
         v.count = static_cast<std::uint8_t>(v.count + 4);
-        v.projective = 1;
+        v.projective = v.uses_r = 1;
         unit.has_matrix = random.coin();
         fill(unit.matrix, 16, -1, 1);
         fill(unit.planes[0], 16, -1, 1);

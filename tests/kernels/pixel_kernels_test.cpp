@@ -103,8 +103,10 @@ struct Scene {
         state.texture_count = static_cast<std::uint8_t>(general ? 1 + random.below(2) : 1);
         for (std::uint8_t unit = 0; unit < state.texture_count; ++unit) {
             const bool projective = general && random.once_in(4);
-            v.texture[unit] = take(projective ? 4 : 2);
+            const bool uses_r = projective || (general && random.coin());
+            v.texture[unit] = take(projective ? 4 : uses_r ? 3 : 2);
             if (projective) v.projective = static_cast<std::uint8_t>(v.projective | 1u << unit);
+            if (uses_r) v.uses_r = static_cast<std::uint8_t>(v.uses_r | 1u << unit);
             make_stage(stages[unit], unit, general);
         }
         state.textures = stages;
@@ -121,24 +123,55 @@ struct Scene {
             sampler.storage = random.once_in(4) ? TexelStorage::kRgba32F : TexelStorage::kRgba8;
             sampler.wrap_s = static_cast<Wrap>(random.below(5));
             sampler.wrap_t = static_cast<Wrap>(random.below(5));
+            sampler.wrap_r = static_cast<Wrap>(random.below(5));
+            sampler.dimensions = static_cast<std::uint8_t>(random.once_in(4) ? 3 : 1 + random.below(2));
+            if (sampler.dimensions < 3 && random.once_in(4)) make_depth_texture(sampler);
             sampler.min_filter = static_cast<Filter>(random.below(2));
             sampler.mag_filter = static_cast<Filter>(random.below(2));
             sampler.mip_filter = static_cast<MipFilter>(random.below(3));
         }
-        const auto size = [&] { return random.coin() ? 1 << random.below(6) : 1 + random.below(63); };
-        int width = size(), height = size();
-        sampler.level_count = 0;
-        do {
-            add_level(sampler, width, height);
-            if (width == 1 && height == 1) break;
-            width = std::max(width / 2, 1);
-            height = std::max(height / 2, 1);
-        } while (sampler.mip_filter != MipFilter::kNone);
         for (float& c : sampler.border_color) c = random.between(0, 1);
+        add_levels(sampler);
+        if (general && sampler.storage != TexelStorage::kDepth && random.once_in(4)) make_cube(sampler, unit);
         for (float& c : stage.env_color) c = random.between(0, 1);
     }
-    void add_level(Sampler& sampler, int width, int height) {
-        const std::size_t margin = 64, texels = static_cast<std::size_t>(width * height);
+    void make_depth_texture(Sampler& sampler) {
+        constexpr BaseFormat kModes[] = {BaseFormat::kLuminance, BaseFormat::kIntensity, BaseFormat::kAlpha};
+        constexpr std::uint8_t kBits[] = {16, 24, 32};
+        sampler.storage = TexelStorage::kDepth;
+        sampler.depth_mode = random.one_of(kModes);
+        sampler.depth_bits = random.one_of(kBits);
+        sampler.compares = random.coin();
+        sampler.compare_func = static_cast<Compare>(random.below(8));
+    }
+
+    void make_cube(Sampler& sampler, std::size_t unit) {
+        sampler.dimensions = 2;
+        sampler.wrap_s = sampler.wrap_t = Wrap::kClampToEdge;
+        add_levels(sampler);
+        for (Sampler& face : cubes[unit]) {
+            face = sampler;
+            if (random.coin()) add_levels(face);
+        }
+        sampler.faces = cubes[unit];
+    }
+
+    void add_levels(Sampler& sampler) {
+        const auto size = [&] { return random.coin() ? 1 << random.below(6) : 1 + random.below(63); };
+        int width = size(), height = size(), depth = 1;
+        if (sampler.dimensions == 3) width = 1 + width / 4, height = 1 + height / 4, depth = 1 + size() / 4;
+        sampler.level_count = 0;
+        do {
+            add_level(sampler, width, height, depth);
+            if (width == 1 && height == 1 && depth == 1) break;
+            width = std::max(width / 2, 1);
+            height = std::max(height / 2, 1);
+            depth = std::max(depth / 2, 1);
+        } while (sampler.mip_filter != MipFilter::kNone && sampler.level_count < 6);
+    }
+
+    void add_level(Sampler& sampler, int width, int height, int depth) {
+        const std::size_t margin = 64, texels = static_cast<std::size_t>(width * height * depth);
         const bool floats = sampler.storage == TexelStorage::kRgba32F;
         auto& memory = images.emplace_back(2 * margin + texels * (floats ? 16 : 4));
         for (std::size_t i = 0; i < texels * 4; ++i) {
@@ -146,10 +179,13 @@ struct Scene {
                 const float value = random.between(0, 1);
                 std::memcpy(memory.data() + margin + i * 4, &value, sizeof value);
             } else {
-                memory[margin + i] = random.byte();
+                const bool unused = sampler.storage == TexelStorage::kDepth &&
+                                    i % 4 >= static_cast<std::size_t>(sampler.depth_bits / 8);
+                memory[margin + i] = unused ? std::uint8_t{0} : random.byte();
             }
         }
-        sampler.levels[sampler.level_count++] = {memory.data() + margin, width, height, width};
+        sampler.levels[sampler.level_count++] = {memory.data() + margin, width, height, width, depth,
+                                                 width * height};
     }
 
     void make_numbers() {
@@ -235,6 +271,7 @@ struct Scene {
     Random random;
     FragmentState state;
     TextureStage stages[2];
+    Sampler cubes[2][6];
     std::uint32_t stipple[32];
     std::vector<std::vector<std::uint8_t>> images;
     alignas(16) std::byte memory[Primitive::size_of(kMaxPlanes)];

@@ -49,6 +49,8 @@ const Enumerants kCapabilities = {TERRAZZO_E(GL_ALPHA_TEST),
                                   TERRAZZO_E(GL_STENCIL_TEST),
                                   TERRAZZO_E(GL_TEXTURE_1D),
                                   TERRAZZO_E(GL_TEXTURE_2D),
+                                  TERRAZZO_E(GL_TEXTURE_3D),
+                                  TERRAZZO_E(GL_TEXTURE_CUBE_MAP),
                                   TERRAZZO_E(GL_TEXTURE_GEN_Q),
                                   TERRAZZO_E(GL_TEXTURE_GEN_R),
                                   TERRAZZO_E(GL_TEXTURE_GEN_S),
@@ -228,7 +230,8 @@ void play_texgen(Player& p) {
     if (p.pick(3) == 0) {
         return p.gl().TexGenf(coordinate, GL_TEXTURE_GEN_MODE,
                               enumerant_number(p, {TERRAZZO_E(GL_OBJECT_LINEAR), TERRAZZO_E(GL_EYE_LINEAR),
-                                                   TERRAZZO_E(GL_SPHERE_MAP)}));
+                                                   TERRAZZO_E(GL_SPHERE_MAP), TERRAZZO_E(GL_REFLECTION_MAP),
+                                                   TERRAZZO_E(GL_NORMAL_MAP)}));
     }
     const GLenum pname = p.enumerant({TERRAZZO_E(GL_OBJECT_PLANE), TERRAZZO_E(GL_EYE_PLANE)});
     p.gl().TexGenfv(coordinate, pname, p.numbers(4).data());
@@ -539,14 +542,32 @@ void play_pixel_map(Player& p) {
 }
 
 void play_texture(Player& p) {
-    const GLenum target = p.enumerant({TERRAZZO_E(GL_TEXTURE_1D), TERRAZZO_E(GL_TEXTURE_2D)});
-    switch (p.pick(5)) {
-        case 0:
-            return p.gl().BindTexture(target, p.pick(4) * 2 + (target == GL_TEXTURE_1D));
+    const GLenum target = p.enumerant({TERRAZZO_E(GL_TEXTURE_1D), TERRAZZO_E(GL_TEXTURE_2D),
+                                       TERRAZZO_E(GL_TEXTURE_3D), TERRAZZO_E(GL_TEXTURE_CUBE_MAP)});
+    switch (p.pick(8)) {
+        case 0: {
+            const GLuint kind = target == GL_TEXTURE_1D         ? 1
+                                : target == GL_TEXTURE_3D       ? 2
+                                : target == GL_TEXTURE_CUBE_MAP ? 3
+                                                                : 4;
+            return p.gl().BindTexture(target, p.pick(3) * 4 + (p.pick(8) ? kind : p.pick(5)));
+        }
         case 1: {
-            const GLuint names[2] = {p.pick(8), p.pick(8)};
+            const GLuint names[2] = {p.pick(12), p.pick(12)};
             return p.gl().DeleteTextures(2, names);
         }
+        case 4:
+            return p.gl().TexParameteri(
+                target, GL_DEPTH_TEXTURE_MODE,
+                static_cast<GLint>(
+                    p.enumerant({TERRAZZO_E(GL_LUMINANCE), TERRAZZO_E(GL_INTENSITY), TERRAZZO_E(GL_ALPHA)})));
+        case 5:
+            return p.gl().TexParameteri(
+                target, GL_TEXTURE_COMPARE_MODE,
+                static_cast<GLint>(p.enumerant({TERRAZZO_E(GL_NONE), TERRAZZO_E(GL_COMPARE_R_TO_TEXTURE)})));
+        case 6:
+            return p.gl().TexParameteri(target, GL_TEXTURE_COMPARE_FUNC,
+                                        static_cast<GLint>(p.enumerant(kComparisons)));
         case 2:
             return p.gl().TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, p.moderate_numbers(4).data());
         case 3:

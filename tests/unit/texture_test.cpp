@@ -216,7 +216,7 @@ TEST_F(TextureTest, ImagesInUseAreNotWritten) {
 }
 
 TEST_F(TextureTest, TexelsMayBeReadPastTheirEnds) {
-    const auto image = pipeline::TextureImage::create(3, 3, 1, 1, pipeline::TexelStorage::kRgba8,
+    const auto image = pipeline::TextureImage::create({3, 3, 1, 1, 1, 0}, pipeline::TexelStorage::kRgba8,
                                                       pipeline::BaseFormat::kRgba);
     EXPECT_EQ(reinterpret_cast<uintptr_t>(image->rgba8(-1, -1)) % 64, 0u);
     unsigned sum = 0;  // the sanitizer watches these

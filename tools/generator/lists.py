@@ -62,8 +62,9 @@ def image_source(command, parameter):
     """C++ for the unpacked image behind a pointer argument."""
     names = {p.name for p in command.parameters}
     if parameter.name == "mask":
-        return f"UnpackedImage(ctx, 32, 32, GL_COLOR_INDEX, GL_BITMAP, {parameter.name})"
-    size = ", ".join(n if n in names else "1" for n in ("width", "height"))
+        return f"UnpackedImage(ctx, 32, 32, kNoDepth, GL_COLOR_INDEX, GL_BITMAP, {parameter.name})"
+    size = ", ".join(n if n in names else other
+                     for n, other in (("width", "1"), ("height", "1"), ("depth", "kNoDepth")))
     form = "format, type" if "format" in names else "GL_COLOR_INDEX, GL_BITMAP"
     return f"UnpackedImage(ctx, {size}, {form}, {parameter.name})"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/pixel/color.h"
+#include "raster/pixel/compare.h"
 #include "raster/pixel/depth_stencil.h"
 #include "simd/math.h"
 
@@ -36,26 +37,7 @@ TERRAZZO_NOINLINE void apply_fog(FogMode mode, const FragmentState& state, F32x1
 TERRAZZO_NOINLINE Mask16 alpha_test(Compare func, const FragmentState& state, ColorFormat format,
                                     F32x16 alpha) {
     if (format != ColorFormat::kRgba8) {
-        const F32x16 reference(state.alpha_reference);
-        switch (func) {
-            case Compare::kNever:
-                return mask_from_bits(0);
-            case Compare::kLess:
-                return alpha < reference;
-            case Compare::kEqual:
-                return alpha == reference;
-            case Compare::kLessEqual:
-                return alpha <= reference;
-            case Compare::kGreater:
-                return alpha > reference;
-            case Compare::kNotEqual:
-                return alpha != reference;
-            case Compare::kGreaterEqual:
-                return alpha >= reference;
-            case Compare::kAlways:
-                break;
-        }
-        return mask_from_bits(0xffff);
+        return compare(func, alpha, F32x16(state.alpha_reference));
     }
     return compare(func, to_unorm8(alpha), to_unorm8(F32x16(state.alpha_reference)));
 }

@@ -1,17 +1,23 @@
 // Texture sampling (GL 1.5 §3.8.7-§3.8.8): the filtered texel of 16 pixels.
 //
 // Eight-bit textures that repeat or clamp to their edge are sampled in fixed point as the reference does it:
-// coordinates round(s * size * 256), weights of eight bits, each lerp rounded to eight bits, x before y. All
-// others are sampled in floats.
+// coordinates round(s * size * 256), weights of eight bits, each lerp rounded to eight bits, x before y
+// before z. All others are sampled in floats. Cube maps: cube.h.
 #pragma once
 
 #include "raster/pixel/color.h"
+#include "raster/pixel/compare.h"
 #include "raster/state.h"
 #include "simd/math.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
+
+// Texture coordinates, those that the texture has.
+struct TexturePoint {
+    F32x16 s, t, r;
+};
 
 // Two 16-bit numbers a lane: v0 + round(weight * (v1 - v0) / 256), both numbers of a lane with the lane's
 // weight. `weight` holds weight * 128 twice a lane, 0 <= weight < 256.
@@ -192,14 +198,42 @@ class RepeatedBilinear {
     bool m_masks_wrap = false;
 };
 
+// The same of one image of a 3D texture, which begins `slice` texels after the first.
+TERRAZZO_INLINE TexelPairs sample_fixed_slice(const MipLevel& level, const FixedAxis& x, const FixedAxis& y,
+                                              I32x16 slice, bool linear) {
+    const I32x16 pitch(level.pitch), low_row = y.first * pitch + slice, high_row = y.second * pitch + slice;
+    const auto texel = [&](I32x16 row, I32x16 column) {
+        return split_pairs(gather(static_cast<const int32_t*>(level.texels), row + column));
+    };
+    if (!linear) return texel(low_row, x.first);
+    const I32x16 weight = pair_weights(x.weight);
+    return lerp_pairs(lerp_pairs(texel(low_row, x.first), texel(low_row, x.second), weight),
+                      lerp_pairs(texel(high_row, x.first), texel(high_row, x.second), weight),
+                      pair_weights(y.weight));
+}
+
+TERRAZZO_NOINLINE TexelPairs sample_fixed_3d(const Sampler& sampler, const MipLevel& level, Filter filter,
+                                             const TexturePoint& at) {
+    const FixedAxis x = fixed_axis(sampler.wrap_s, filter, at.s, level.width);
+    const FixedAxis y = fixed_axis(sampler.wrap_t, filter, at.t, level.height);
+    const FixedAxis z = fixed_axis(sampler.wrap_r, filter, at.r, level.depth);
+    const bool linear = filter == Filter::kLinear;
+    const I32x16 slice(level.slice);
+    const TexelPairs first = sample_fixed_slice(level, x, y, z.first * slice, linear);
+    if (!linear) return first;
+    return lerp_pairs(first, sample_fixed_slice(level, x, y, z.second * slice, linear),
+                      pair_weights(z.weight));
+}
+
 TERRAZZO_INLINE TexelPairs sample_fixed(const Sampler& sampler, const MipLevel& level, Filter filter,
-                                        F32x16 s, F32x16 t) {
+                                        const TexturePoint& at) {
     if (sampler.dimensions == 2) {
         const bool repeats = sampler.wrap_s == Wrap::kRepeat && sampler.wrap_t == Wrap::kRepeat;
-        if (repeats && filter == Filter::kLinear) return RepeatedBilinear(level).at(s, t);
-        return sample_fixed_2d(sampler.wrap_s, sampler.wrap_t, level, filter, s, t);
+        if (repeats && filter == Filter::kLinear) return RepeatedBilinear(level).at(at.s, at.t);
+        return sample_fixed_2d(sampler.wrap_s, sampler.wrap_t, level, filter, at.s, at.t);
     }
-    const FixedAxis x = fixed_axis(sampler.wrap_s, filter, s, level.width);
+    if (sampler.dimensions == 3) return sample_fixed_3d(sampler, level, filter, at);
+    const FixedAxis x = fixed_axis(sampler.wrap_s, filter, at.s, level.width);
     const I32x16 row(0);
     const TexelPairs first = split_pairs(fetch_rgba8(level, x.first, row));
     if (filter == Filter::kNearest) return first;
@@ -246,9 +280,14 @@ TERRAZZO_INLINE FloatAxis float_axis(Wrap wrap, Filter filter, F32x16 coordinate
     return axis;
 }
 
-TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 x, I32x16 y,
+// An axis that a texture does not have.
+TERRAZZO_INLINE FloatAxis no_axis() {
+    return {I32x16(0), I32x16(0), mask_from_bits(0xffff), mask_from_bits(0xffff), F32x16(0.0f)};
+}
+
+// The texel `index` texels after the first.
+TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 index,
                                   Mask16 inside) {
-    const I32x16 index = y * I32x16(level.pitch) + x;
     Color c;
     if (sampler.storage == TexelStorage::kRgba8) {
         const Color8 texel = unpack_rgba8(gather(static_cast<const int32_t*>(level.texels), index));
@@ -268,31 +307,102 @@ TERRAZZO_INLINE Color lerp(Color a, Color b, F32x16 t) {
     return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b), a.a + t * (b.a - a.a)};
 }
 
-TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& level, Filter filter, F32x16 s,
-                                     F32x16 t) {
-    const FloatAxis x = float_axis(sampler.wrap_s, filter, s, level.width);
-    FloatAxis y{I32x16(0), I32x16(0), mask_from_bits(0xffff), mask_from_bits(0xffff), F32x16(0.0f)};
-    if (sampler.dimensions == 2) y = float_axis(sampler.wrap_t, filter, t, level.height);
-    const Color c00 = fetch_float(sampler, level, x.first, y.first, x.first_inside & y.first_inside);
+// Of one image of a 3D texture, or the only one; it begins `slice` texels after the first.
+TERRAZZO_INLINE Color sample_float_slice(const Sampler& sampler, const MipLevel& level, Filter filter,
+                                         const FloatAxis& x, const FloatAxis& y, I32x16 slice,
+                                         Mask16 slice_inside) {
+    const I32x16 low_row = y.first * I32x16(level.pitch) + slice;
+    const Mask16 low_inside = y.first_inside & slice_inside;
+    const Color c00 = fetch_float(sampler, level, low_row + x.first, x.first_inside & low_inside);
     if (filter == Filter::kNearest) return c00;
-    const Color c10 = fetch_float(sampler, level, x.second, y.first, x.second_inside & y.first_inside);
+    const Color c10 = fetch_float(sampler, level, low_row + x.second, x.second_inside & low_inside);
     const Color low = lerp(c00, c10, x.weight);
     if (sampler.dimensions == 1) return low;
-    const Color c01 = fetch_float(sampler, level, x.first, y.second, x.first_inside & y.second_inside);
-    const Color c11 = fetch_float(sampler, level, x.second, y.second, x.second_inside & y.second_inside);
+    const I32x16 high_row = y.second * I32x16(level.pitch) + slice;
+    const Mask16 high_inside = y.second_inside & slice_inside;
+    const Color c01 = fetch_float(sampler, level, high_row + x.first, x.first_inside & high_inside);
+    const Color c11 = fetch_float(sampler, level, high_row + x.second, x.second_inside & high_inside);
     return lerp(low, lerp(c01, c11, x.weight), y.weight);
+}
+
+TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& level, Filter filter,
+                                     const TexturePoint& at) {
+    const FloatAxis x = float_axis(sampler.wrap_s, filter, at.s, level.width);
+    FloatAxis y = no_axis();
+    if (sampler.dimensions > 1) y = float_axis(sampler.wrap_t, filter, at.t, level.height);
+    if (sampler.dimensions < 3)
+        return sample_float_slice(sampler, level, filter, x, y, I32x16(0), mask_from_bits(0xffff));
+    const FloatAxis z = float_axis(sampler.wrap_r, filter, at.r, level.depth);
+    const I32x16 slice(level.slice);
+    const Color first = sample_float_slice(sampler, level, filter, x, y, z.first * slice, z.first_inside);
+    if (filter == Filter::kNearest) return first;
+    return lerp(first, sample_float_slice(sampler, level, filter, x, y, z.second * slice, z.second_inside),
+                z.weight);
+}
+
+// A texel of a depth texture as a float, with the reference's roundings: of 32 bits 23 count.
+TERRAZZO_INLINE F32x16 fetch_depth(const Sampler& sampler, const MipLevel& level, I32x16 index,
+                                   Mask16 inside) {
+    const I32x16 integer = gather(static_cast<const int32_t*>(level.texels), index);
+    F32x16 depth;
+    if (sampler.depth_bits == 32) {
+        const I32x16 above_one = shift_right_logical<9>(integer) | I32x16(0x3f800000);
+        depth = (as_float(above_one) - F32x16(1.0f)) * F32x16(static_cast<float>(8388608.0 / 8388607.0));
+    } else {
+        const float scale = static_cast<float>(sampler.depth_bits == 16 ? 1.0 / 65535.0 : 1.0 / 16777215.0);
+        depth = to_float(integer) * F32x16(scale);
+    }
+    return select(inside, depth, F32x16(sampler.border_color[0]));
+}
+
+// Depth textures (GL 1.5 §3.8.14): filtered depths, or filtered results of comparing r with each.
+TERRAZZO_NOINLINE Color sample_depth(const Sampler& sampler, const MipLevel& level, Filter filter,
+                                     const TexturePoint& at) {
+    const FloatAxis x = float_axis(sampler.wrap_s, filter, at.s, level.width);
+    FloatAxis y = no_axis();
+    if (sampler.dimensions > 1) y = float_axis(sampler.wrap_t, filter, at.t, level.height);
+    const F32x16 zero(0.0f), one(1.0f), reference = clamp(at.r, zero, one);
+    const auto texel = [&](I32x16 column, I32x16 row, Mask16 inside) {
+        const F32x16 depth = fetch_depth(sampler, level, row * I32x16(level.pitch) + column, inside);
+        return sampler.compares ? select(compare(sampler.compare_func, reference, depth), one, zero) : depth;
+    };
+    // Results are weighed as sums of two products, depths by differences.
+    const auto along_x = [&](F32x16 first, F32x16 second) {
+        return sampler.compares ? first * (one - x.weight) + second * x.weight
+                                : first + x.weight * (second - first);
+    };
+    F32x16 value = texel(x.first, y.first, x.first_inside & y.first_inside);
+    if (filter == Filter::kLinear) {
+        value = along_x(value, texel(x.second, y.first, x.second_inside & y.first_inside));
+        if (sampler.dimensions > 1) {
+            const F32x16 high = along_x(texel(x.first, y.second, x.first_inside & y.second_inside),
+                                        texel(x.second, y.second, x.second_inside & y.second_inside));
+            value = value + y.weight * (high - value);
+        }
+    }
+    switch (sampler.depth_mode) {
+        case BaseFormat::kIntensity:
+            return {value, value, value, value};
+        case BaseFormat::kAlpha:
+            return {zero, zero, zero, value};
+        default:
+            return {value, value, value, one};
+    }
 }
 
 TERRAZZO_INLINE bool samples_fixed(const Sampler& sampler) {
     const auto plain = [](Wrap wrap) { return wrap == Wrap::kRepeat || wrap == Wrap::kClampToEdge; };
-    return sampler.storage == TexelStorage::kRgba8 && plain(sampler.wrap_s) &&
-           (sampler.dimensions == 1 || plain(sampler.wrap_t));
+    return sampler.storage == TexelStorage::kRgba8 && !sampler.in_floats && plain(sampler.wrap_s) &&
+           (sampler.dimensions < 2 || plain(sampler.wrap_t)) &&
+           (sampler.dimensions < 3 || plain(sampler.wrap_r));
 }
 
-TERRAZZO_NOINLINE Color sample_level(const Sampler& sampler, int level, Filter filter, F32x16 s, F32x16 t) {
+TERRAZZO_NOINLINE Color sample_level(const Sampler& sampler, int level, Filter filter,
+                                     const TexturePoint& at) {
     const MipLevel& mip = sampler.levels[static_cast<size_t>(level)];
-    if (!samples_fixed(sampler)) return sample_float(sampler, mip, filter, s, t);
-    return from_color8(to_color8(sample_fixed(sampler, mip, filter, s, t)));
+    if (sampler.storage == TexelStorage::kDepth) return sample_depth(sampler, mip, filter, at);
+    if (!samples_fixed(sampler)) return sample_float(sampler, mip, filter, at);
+    return from_color8(to_color8(sample_fixed(sampler, mip, filter, at)));
 }
 
 // log2, linear between powers of two as the reference has it.
@@ -303,23 +413,31 @@ TERRAZZO_INLINE F32x16 fast_log2(F32x16 x) {
     return exponent + (mantissa - F32x16(1.0f));
 }
 
-// log2 of the scale factor of each pixel, one value for each 2x2 quad of the tile (GL 1.5 §3.8.8 with the
-// reference's difference: to the right and upwards from the quad's first pixel).
-TERRAZZO_NOINLINE F32x16 level_of_detail(const Sampler& sampler, F32x16 s, F32x16 t) {
-    const F32x16 u = s * F32x16(static_cast<float>(sampler.levels[0].width));
-    const F32x16 du_dx = swap_columns(u) - u, du_dy = swap_rows(u) - u;
-    F32x16 rho_x = du_dx * du_dx, rho_y = du_dy * du_dy;
-    if (sampler.dimensions == 2) {
-        const F32x16 v = t * F32x16(static_cast<float>(sampler.levels[0].height));
-        const F32x16 dv_dx = swap_columns(v) - v, dv_dy = swap_rows(v) - v;
-        rho_x = rho_x + dv_dx * dv_dx, rho_y = rho_y + dv_dy * dv_dy;
+// lambda of the squared scale factor rho. Where it is one value for each 2x2 quad of the tile, what counts is
+// in its first column and row.
+TERRAZZO_INLINE F32x16 lambda_of(const Sampler& sampler, F32x16 squared_rho, bool by_quads) {
+    F32x16 lambda = F32x16(0.5f) * fast_log2(squared_rho) + F32x16(sampler.lod_bias);
+    if (by_quads) {
+        lambda = select(mask_from_bits(0xaaaa), swap_columns(lambda), lambda);
+        lambda = select(mask_from_bits(0xf0f0), swap_rows(lambda), lambda);
     }
-    F32x16 lambda = F32x16(0.5f) * fast_log2(select(rho_x > rho_y, rho_x, rho_y)) + F32x16(sampler.lod_bias);
-    // What counts is in the first column and row of each quad.
-    lambda = select(mask_from_bits(0xaaaa), swap_columns(lambda), lambda);
-    lambda = select(mask_from_bits(0xf0f0), swap_rows(lambda), lambda);
     const F32x16 low(sampler.min_lod), high(sampler.max_lod);
     return select(lambda < low, low, select(lambda > high, high, lambda));
+}
+
+// log2 of the scale factor of each pixel (GL 1.5 §3.8.8 with the reference's difference: to the right and
+// upwards from the quad's first pixel).
+TERRAZZO_NOINLINE F32x16 level_of_detail(const Sampler& sampler, const TexturePoint& at) {
+    F32x16 rho_x(0.0f), rho_y(0.0f);
+    const auto add = [&](F32x16 coordinate, int32_t size) {
+        const F32x16 u = coordinate * F32x16(static_cast<float>(size));
+        const F32x16 du_dx = swap_columns(u) - u, du_dy = swap_rows(u) - u;
+        rho_x = rho_x + du_dx * du_dx, rho_y = rho_y + du_dy * du_dy;
+    };
+    add(at.s, sampler.levels[0].width);
+    if (sampler.dimensions > 1) add(at.t, sampler.levels[0].height);
+    if (sampler.dimensions > 2) add(at.r, sampler.levels[0].depth);
+    return lambda_of(sampler, select(rho_x > rho_y, rho_x, rho_y), true);
 }
 
 TERRAZZO_INLINE Color select(Mask16 mask, const Color& yes, const Color& no) {
@@ -328,22 +446,22 @@ TERRAZZO_INLINE Color select(Mask16 mask, const Color& yes, const Color& no) {
 }
 
 // The texels of two neighbouring levels mixed, the second with `weight` 256ths.
-TERRAZZO_INLINE Color mix_levels(const Sampler& sampler, int level, I32x16 weight, F32x16 s, F32x16 t) {
+TERRAZZO_INLINE Color mix_levels(const Sampler& sampler, int level, I32x16 weight, const TexturePoint& at) {
     const int next = std::min(level + 1, sampler.level_count - 1);
     if (!samples_fixed(sampler)) {
-        return lerp(sample_level(sampler, level, sampler.min_filter, s, t),
-                    sample_level(sampler, next, sampler.min_filter, s, t),
+        return lerp(sample_level(sampler, level, sampler.min_filter, at),
+                    sample_level(sampler, next, sampler.min_filter, at),
                     to_float(weight) * F32x16(1.0f / 256.0f));
     }
     const auto texels = [&](int l) {
-        return sample_fixed(sampler, sampler.levels[static_cast<size_t>(l)], sampler.min_filter, s, t);
+        return sample_fixed(sampler, sampler.levels[static_cast<size_t>(l)], sampler.min_filter, at);
     };
     const TexelPairs first = texels(level), second = texels(next);
     return from_color8(to_color8(lerp_pairs(first, second, pair_weights(weight))));
 }
 
 // Mip-mapped minification of the pixels in `active`, level by level; most tiles have one.
-TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, F32x16 lambda, F32x16 s, F32x16 t,
+TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, F32x16 lambda, const TexturePoint& at,
                                          uint32_t active) {
     const bool linear = sampler.mip_filter == MipFilter::kLinear;
     const F32x16 l = clamp(lambda, F32x16(0.0f), F32x16(static_cast<float>(sampler.level_count - 1)));
@@ -355,29 +473,37 @@ TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, F32x16 lambda, 
     for (uint32_t todo = active; todo != 0;) {
         const int level = level_of[std::countr_zero(todo)];
         const Mask16 same = levels == I32x16(level);
-        const Color texel = linear ? mix_levels(sampler, level, weight, s, t)
-                                   : sample_level(sampler, level, sampler.min_filter, s, t);
+        const Color texel = linear ? mix_levels(sampler, level, weight, at)
+                                   : sample_level(sampler, level, sampler.min_filter, at);
         todo &= ~bits_of(same);
         result = select(same, texel, result);
     }
     return result;
 }
 
-// The filtered texel at texture coordinates (s, t) of each pixel in `mask`.
-TERRAZZO_NOINLINE Color sample_texture(const Sampler& sampler, F32x16 s, F32x16 t, uint32_t mask) {
-    const bool filters_agree =
-        sampler.mip_filter == MipFilter::kNone && sampler.min_filter == sampler.mag_filter;
-    if (filters_agree) return sample_level(sampler, 0, sampler.mag_filter, s, t);
-    const F32x16 lambda = level_of_detail(sampler, s, t);
+// Whether no level needs to be chosen, and no filter.
+TERRAZZO_INLINE bool filters_agree(const Sampler& sampler) {
+    return sampler.mip_filter == MipFilter::kNone && sampler.min_filter == sampler.mag_filter;
+}
+
+// The filtered texel at `lambda` of each pixel in `mask`.
+TERRAZZO_INLINE Color sample_at_lambda(const Sampler& sampler, F32x16 lambda, const TexturePoint& at,
+                                       uint32_t mask) {
     const Mask16 minified = lambda > F32x16(0.0f);
     const uint32_t small = bits_of(minified) & mask, large = mask & ~small;
     const auto minification = [&] {
-        return sampler.mip_filter == MipFilter::kNone ? sample_level(sampler, 0, sampler.min_filter, s, t)
-                                                      : sample_mipmapped(sampler, lambda, s, t, small);
+        return sampler.mip_filter == MipFilter::kNone ? sample_level(sampler, 0, sampler.min_filter, at)
+                                                      : sample_mipmapped(sampler, lambda, at, small);
     };
     if (large == 0) return minification();
-    const Color magnification = sample_level(sampler, 0, sampler.mag_filter, s, t);
+    const Color magnification = sample_level(sampler, 0, sampler.mag_filter, at);
     return small == 0 ? magnification : select(minified, minification(), magnification);
+}
+
+// The filtered texel of each pixel in `mask`, of textures that are no cube maps.
+TERRAZZO_NOINLINE Color sample_texture(const Sampler& sampler, const TexturePoint& at, uint32_t mask) {
+    if (filters_agree(sampler)) return sample_level(sampler, 0, sampler.mag_filter, at);
+    return sample_at_lambda(sampler, level_of_detail(sampler, at), at, mask);
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -8,6 +8,7 @@
 #include "raster/half_space.h"
 #include "raster/pixel/combine.h"
 #include "raster/pixel/coverage.h"
+#include "raster/pixel/cube.h"
 #include "raster/pixel/depth_stencil.h"
 #include "raster/pixel/fog_alpha.h"
 #include "raster/pixel/interpolate.h"
@@ -107,13 +108,14 @@ TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpo
     for (int i = 0; i < state.texture_count; ++i) {
         const TextureStage& stage = state.textures[i];
         const int first = state.varyings.texture[stage.unit];
-        F32x16 s = at.exact_varying(first) * w, t = at.exact_varying(first + 1) * w;
+        TexturePoint point{at.exact_varying(first) * w, at.exact_varying(first + 1) * w, 0.0f};
+        if (state.varyings.uses_r >> stage.unit & 1) point.r = at.exact_varying(first + 2) * w;
         if (state.varyings.projective >> stage.unit & 1) {
             const F32x16 scale = F32x16(1.0f) / (at.exact_varying(first + 3) * w);
-            s = s * scale;
-            t = t * scale;
+            point = {point.s * scale, point.t * scale, point.r * scale};
         }
-        texels[stage.unit] = sample_texture(stage.sampler, s, t, mask);
+        texels[stage.unit] = stage.sampler.faces ? sample_cube(stage.sampler, point, mask)
+                                                 : sample_texture(stage.sampler, point, mask);
     }
     CombineInput in{texels, color, color, {}};
     for (int i = 0; i < state.texture_count; ++i) in.previous = combine_stage(state.textures[i], in);
