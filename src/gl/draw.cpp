@@ -47,6 +47,7 @@ void clear(Context& ctx, GLbitfield mask) {
     if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
     flush_vertices(ctx);
     if (ctx.render_mode.mode != GL_RENDER) return;
+    if (mask & GL_ACCUM_BUFFER_BIT) clear_accumulation(ctx);
     const raster::TargetFormat& target = ctx.surface.format;
     const ColorBufferState& color = ctx.fragment_ops.color;
     const ClearValues& values = ctx.framebuffer.clear;

@@ -14,6 +14,7 @@ void Drawable::allocate(int width, int height, const raster::TargetFormat& forma
         return;
     m_target = std::make_shared<raster::Target>(width, height, format);
     m_has_front = false;
+    m_accumulation = nullptr;
     m_selected = is_double_buffered() ? ColorBuffer::kBack : ColorBuffer::kFront;
 }
 
@@ -25,6 +26,11 @@ void Drawable::select(ColorBuffer buffer) {
         m_has_front = true;
         load_front();
     }
+}
+
+AccumulationPlane& Drawable::accumulation() {
+    if (!m_accumulation) m_accumulation = std::make_unique<AccumulationPlane>(width(), height());
+    return *m_accumulation;
 }
 
 void Drawable::swap_pixels() {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "gl/accumulation.h"
 #include "pipeline/resolve.h"
 #include "raster/target.h"
 
@@ -61,6 +62,10 @@ class Drawable {
     // undefined.
     void swap_pixels();
 
+    // The accumulation buffer, for contexts that have one: it is made when somebody first asks for it, and
+    // anew with other buffers. There is a target. Throws std::bad_alloc.
+    AccumulationPlane& accumulation();
+
     // Takes over the size that the window has now. Called by Viewport when nothing has been drawn since the
     // last picture was shown: programs call it when their window has changed. Throws std::bad_alloc.
     virtual void follow_window(Follow) {}
@@ -77,6 +82,7 @@ class Drawable {
     std::shared_ptr<raster::Target> m_target;
     ColorBuffer m_selected = ColorBuffer::kFront;
     bool m_has_front = false;
+    std::unique_ptr<AccumulationPlane> m_accumulation;
 };
 
 // Copies a colour buffer out as it is, without what contexts have queued for it, and in; `bottom_row` and

@@ -2,6 +2,7 @@
 #include "gl/pixel_rect.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -38,7 +39,7 @@ void validate_raster(Context& ctx, raster::PixelImage image) {
 
 void fill_varyings(const RasterPosition& position, const raster::Varyings& varyings, float* out) {
     if (varyings.secondary >= 0) std::copy_n(position.secondary_color.data(), 3, out + varyings.secondary);
-    if (varyings.fog >= 0) out[varyings.fog] = position.distance;
+    if (varyings.fog >= 0) out[varyings.fog] = std::fabs(position.distance);
     for (std::size_t u = 0; u < kMaxTextureUnits; ++u) {
         if (varyings.texture[u] < 0) continue;
         std::copy_n(position.texture_coordinates[u].data(), varyings.texture_planes(u),

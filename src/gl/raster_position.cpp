@@ -69,6 +69,13 @@ Vector4 clamped(const Vector4& color) {
     return out;
 }
 
+// The fog coordinate takes the distance's place where fog comes from it.
+GLfloat fog_distance(const Context& ctx, GLfloat distance) {
+    return ctx.fog.coordinate_source == GL_FOG_COORDINATE
+               ? ctx.vertex.current.values[pipeline::kFogCoordinate][0]
+               : distance;
+}
+
 // What lighting makes of the point as a vertex, front side up.
 void light_position(Context& ctx, const Vector4& object, RasterPosition& out) {
     pipeline::VertexInput input;
@@ -167,7 +174,7 @@ void raster_pos4f(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     }
     RasterPosition made = ctx.raster_position;
     made.window = window_position(ctx.framebuffer.viewport, clip);
-    made.distance = std::sqrt(dot3(eye, eye));
+    made.distance = fog_distance(ctx, std::sqrt(dot3(eye, eye)));
     made.index = ctx.vertex.current.index;
     made.color = clamped(ctx.vertex.current.color());
     made.secondary_color = clamped(ctx.vertex.current.values[pipeline::kSecondaryColor]);
@@ -183,7 +190,7 @@ void window_pos3f(Context& ctx, GLfloat x, GLfloat y, GLfloat z) {
     const auto range = static_cast<float>(viewport.far_depth - viewport.near_depth);
     RasterPosition& raster = ctx.raster_position;
     raster.window = {x, y, std::clamp(z, 0.0f, 1.0f) * range + static_cast<float>(viewport.near_depth), 1};
-    raster.distance = 0;
+    raster.distance = fog_distance(ctx, 0);
     raster.index = ctx.vertex.current.index;
     raster.color = clamped(ctx.vertex.current.color());
     raster.secondary_color = clamped(ctx.vertex.current.values[pipeline::kSecondaryColor]);

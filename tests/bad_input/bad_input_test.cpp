@@ -55,7 +55,7 @@ class BadInput : public testing::Test {
     // A new context with a small target and the textures that valid_calls.cpp speaks of.
     void restart() {
         gl::make_current(nullptr);
-        m_ctx = gl::create_context(gl::Config{}, nullptr);
+        m_ctx = gl::create_context(gl::Config{.accum_bits = 16}, nullptr);
         gl::attach_picture(*m_ctx, 16, 16);
         gl::make_current(m_ctx.get());
         gl.BindTexture(GL_TEXTURE_2D, g_names[0]);

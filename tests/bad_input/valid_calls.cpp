@@ -121,6 +121,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glGetMap[dfi]v", {GL_MAP1_COLOR_4, GL_ORDER, out}},
         {"glMap1[df]", {GL_MAP1_COLOR_4, 0.0, 1.0, 4, 2, in}},
         {"glMap2[df]", {GL_MAP2_COLOR_4, 0.0, 1.0, 4, 2, 0.0, 1.0, 8, 2, in}},
+        {"glAccum", {GL_MULT, 0.5}},
         {"glFeedbackBuffer", {8, GL_3D, out}},
         {"glRenderMode", {GL_RENDER}},
         {"glSelectBuffer", {8, out}},

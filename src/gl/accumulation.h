@@ -1,0 +1,29 @@
+// The accumulation buffer (GL 1.5 §4.2.4): four signed 16-bit fractions a pixel, part of the drawable.
+#pragma once
+
+#include <GL/gl.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace terrazzo::gl {
+
+struct Context;
+
+// Rows in the order of the target's, one after the other; 32767 stands for 1. Zeros at first.
+class AccumulationPlane {
+  public:
+    // Throws std::bad_alloc.
+    AccumulationPlane(int width, int height);
+
+    std::int16_t* pixel(int x, int row) { return m_values.get() + 4 * (std::ptrdiff_t{row} * m_width + x); }
+
+  private:
+    int m_width;
+    std::unique_ptr<std::int16_t[]> m_values;
+};
+
+// What Clear does to it, within the scissor box; nothing where there is none. Throws std::bad_alloc.
+void clear_accumulation(Context& ctx);
+
+}  // namespace terrazzo::gl
