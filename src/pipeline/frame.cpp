@@ -5,6 +5,7 @@
 #include <new>
 
 #include "pipeline/float_environment.h"
+#include "pipeline/statistics.h"
 #include "pipeline/workers.h"
 #include "raster/clear.h"
 
@@ -74,6 +75,7 @@ void Frame::push(int bin, uintptr_t command) {
 }
 
 void Frame::add(const Primitive& primitive) {
+    ++m_primitives;
     const int across = m_target->bins_across();
     const int first_column = primitive.x0 / kBinSize, last_column = (primitive.x1 - 1) / kBinSize;
     const int first_row = primitive.y0 / kBinSize, last_row = (primitive.y1 - 1) / kBinSize;
@@ -128,6 +130,7 @@ void Frame::draw_bin(int index) const {
 }
 
 void Frame::draw() {
+    const StageTimer timer(statistics.pixel_nanoseconds);
     if (m_commands != 0) {
         std::vector<int> bins;
         for (size_t i = 0; i < m_bins.size(); ++i)
@@ -145,6 +148,7 @@ void Frame::draw() {
 }
 
 void Frame::draw(const std::function<void(int)>& finished) {
+    const StageTimer timer(statistics.pixel_nanoseconds);
     run_parallel(static_cast<int>(m_bins.size()), [&](int bin) {
         draw_bin(bin);
         finished(bin);
@@ -158,6 +162,8 @@ void Frame::reset() {
     m_kept_bytes = 0;
     m_counts_samples = false;
     m_arena.reset();
+    if (statistics.enabled) statistics.primitives += m_primitives;
+    m_primitives = 0;
     m_commands = 0;
 }
 

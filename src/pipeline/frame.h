@@ -113,6 +113,7 @@ class Frame {
     std::vector<std::shared_ptr<const void>> m_kept;
     size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;
+    size_t m_primitives = 0;
     bool m_counts_samples = false;  // some primitive does
 };
 

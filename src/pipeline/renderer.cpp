@@ -7,6 +7,7 @@
 
 #include "pipeline/assemble.h"
 #include "pipeline/float_environment.h"
+#include "pipeline/statistics.h"
 
 namespace terrazzo::pipeline {
 
@@ -18,6 +19,7 @@ void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveM
                     const VertexRange& range) {
     if (m_frame.target() == nullptr) return;
     const FloatEnvironment environment;
+    const StageTimer timer(statistics.vertex_nanoseconds);
     PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
 }
 

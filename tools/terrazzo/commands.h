@@ -10,5 +10,6 @@ void add_bench_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_demo_command(CLI::App& app);
+void add_run_command(CLI::App& app);
 
 }  // namespace terrazzo

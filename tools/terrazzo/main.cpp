@@ -1,15 +1,16 @@
-// terrazzo: measures, inspects and shows GL libraries of the OSMesa kind.
+// terrazzo: runs programs on Terrazzo; measures, inspects and shows OSMesa libraries.
 #include <fmt/core.h>
 
 #include "commands.h"
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures, inspects and shows software OpenGL libraries."};
+    CLI::App app{"Runs programs on Terrazzo; measures, inspects and shows software OpenGL libraries."};
     app.require_subcommand(1);
     terrazzo::add_bench_command(app);
     terrazzo::add_info_command(app);
     terrazzo::add_draw_command(app);
     terrazzo::add_demo_command(app);
+    terrazzo::add_run_command(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& stop) {

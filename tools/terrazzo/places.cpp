@@ -40,6 +40,18 @@ std::string reference_library() {
     return kReferenceLibrary;
 }
 
+std::string vendor_folder() {
+    return in_build_or_installed(kVendorFolderInBuild, kVendorFolderInstalled);
+}
+
+std::string plain_folder() {
+    return in_build_or_installed(kPlainFolderInBuild, kPlainFolderInstalled);
+}
+
+std::string vendor_description() {
+    return in_build_or_installed(kVendorDescriptionInBuild, kVendorDescriptionInstalled);
+}
+
 NamedLibrary parse_library(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string label = equals == std::string::npos ? text : text.substr(0, equals);

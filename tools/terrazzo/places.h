@@ -12,6 +12,11 @@ std::string own_library();
 // The system's libOSMesa: TERRAZZO_REFERENCE, else the one that the build found.
 std::string reference_library();
 
+// Where libglvnd's vendor libraries are, and the plain libGL, libOpenGL and libEGL; what describes the EGL vendor.
+std::string vendor_folder();
+std::string plain_folder();
+std::string vendor_description();
+
 // "LABEL=PATH" or "PATH"; the words "terrazzo" and "osmesa" stand for the two above.
 struct NamedLibrary {
     std::string label;

@@ -15,14 +15,15 @@ enum class Owner { kDisplay, kDevice };
 template <auto kFunction, Owner kOwner>
 struct VendorCall;
 
-template <typename Result, typename First, typename... Rest, Result (*kFunction)(First, Rest...), Owner kOwner>
+template <typename Result, typename First, typename... Rest, Result (*kFunction)(First, Rest...),
+          Owner kOwner>
 struct VendorCall<kFunction, kOwner> {
     static inline int index = -1;
 
     static Result call(First owner, Rest... rest) {
         glvnd->threadInit();
-        __EGLvendorInfo* const vendor =
-            kOwner == Owner::kDisplay ? glvnd->getVendorFromDisplay(owner) : glvnd->getVendorFromDevice(owner);
+        __EGLvendorInfo* const vendor = kOwner == Owner::kDisplay ? glvnd->getVendorFromDisplay(owner)
+                                                                  : glvnd->getVendorFromDevice(owner);
         constexpr EGLint kNobodys = kOwner == Owner::kDisplay ? EGL_BAD_DISPLAY : EGL_BAD_DEVICE_EXT;
         if (!vendor) {
             glvnd->setEGLError(kNobodys);

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "frontends/glx/display.h"
-#include "frontends/glx/protocol.h"
 #include "frontends/glx/drawables.h"
+#include "frontends/glx/protocol.h"
 #include "gl/attrib.h"
 #include "gl/generated/dispatch.h"
 #include "gl/surface.h"

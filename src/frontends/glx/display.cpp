@@ -1,10 +1,11 @@
 // See display.h.
 #include "frontends/glx/display.h"
-#include "frontends/glx/protocol.h"
 
 #include <GL/glx.h>
 #include <X11/Xlib-xcb.h>
 #include <X11/Xlibint.h>
+
+#include "frontends/glx/protocol.h"
 #undef min
 #undef max
 

@@ -379,8 +379,8 @@ void glXWaitGL() {
     }
 }
 
-// A program that has changed its window's size waits for X and then draws. What X has drawn to a window is not part of
-// our front buffer until that is read from the server.
+// A program that has changed its window's size waits for X and then draws. What X has drawn to a window is
+// not part of our front buffer until that is read from the server.
 void glXWaitX() try {
     const auto context = glx::current_context();
     Display* const display = context ? context->display->display : nullptr;

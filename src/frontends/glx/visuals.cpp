@@ -7,8 +7,8 @@
 #include <string>
 
 #include "frontends/glx/display.h"
-#include "frontends/glx/protocol.h"
 #include "frontends/glx/procs.h"
+#include "frontends/glx/protocol.h"
 #include "gl/entry.h"
 
 namespace glx = terrazzo::glx;

@@ -5,8 +5,13 @@
 #include "frontends/x11/drawable.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstring>
 #include <memory>
+#include <utility>
+#include <vector>
 
+#include "frontends/window/watch.h"
 #include "gl/context.h"
 #include "gl/limits.h"
 #include "gl/surface.h"
@@ -18,6 +23,31 @@ raster::TargetFormat checked(const BufferFormat& format) {
     raster::TargetFormat target = format.target;
     target.color = format.visual.color;
     return target;
+}
+
+// Of layouts kRgba8, kBgra8 and kRgb565; alpha is 255.
+std::vector<std::byte> rgba_rows(Image& image, pipeline::PixelLayout layout) {
+    std::vector<std::byte> out(static_cast<std::size_t>(image.width()) *
+                               static_cast<std::size_t>(image.height()) * 4);
+    std::byte* to = out.data();
+    for (int y = 0; y < image.height(); ++y) {
+        const std::byte* from = image.data() + y * image.stride();
+        for (int x = 0; x < image.width(); ++x, to += 4) {
+            if (layout == pipeline::PixelLayout::kRgb565) {
+                std::uint16_t word;
+                std::memcpy(&word, from + 2 * x, sizeof word);
+                const unsigned red = word >> 11, green = word >> 5 & 63, blue = word & 31;
+                to[0] = static_cast<std::byte>(red << 3 | red >> 2);
+                to[1] = static_cast<std::byte>(green << 2 | green >> 4);
+                to[2] = static_cast<std::byte>(blue << 3 | blue >> 2);
+            } else {
+                std::memcpy(to, from + 4 * x, 3);
+                if (layout == pipeline::PixelLayout::kBgra8) std::swap(to[0], to[2]);
+            }
+            to[3] = std::byte{255};
+        }
+    }
+    return out;
 }
 
 }  // namespace
@@ -96,11 +126,25 @@ void ServerDrawable::put(int x, int y, int width, int height) {
     m_followed = false;
 }
 
+// A whole picture is there to be seen: by the watcher, too.
+void ServerDrawable::show(int x, int y, int width, int height) {
+    if (!window::is_watched()) return put(x, y, width, height);
+    std::uint64_t nanoseconds = 0;
+    {
+        const auto begin = std::chrono::steady_clock::now();
+        put(x, y, width, height);
+        nanoseconds = static_cast<std::uint64_t>((std::chrono::steady_clock::now() - begin).count());
+    }
+    const std::vector<std::byte> rows =
+        window::wants_pictures() ? rgba_rows(*m_image, m_format.visual.layout) : std::vector<std::byte>();
+    window::watch_frame(this->width(), this->height(), nanoseconds, rows.empty() ? nullptr : rows.data());
+}
+
 void ServerDrawable::swap(gl::Context* ctx) {
     if (!m_connection.xcb || !is_double_buffered()) return;
     const auto answer = take_answer();
     copy_to_image(ctx, gl::ColorBuffer::kBack);
-    put(0, 0, width(), height());
+    show(0, 0, width(), height());
     swap_pixels();
     if (ctx && ctx->surface.draw.get() == this) ctx->surface.drawn = false;
     ++m_swaps;
@@ -120,7 +164,7 @@ void ServerDrawable::copy_part(gl::Context* ctx, int x, int y, int width, int he
 void ServerDrawable::show_front(gl::Context& ctx) {
     if (!m_connection.xcb) return;
     copy_to_image(&ctx, gl::ColorBuffer::kFront);
-    put(0, 0, width(), height());
+    show(0, 0, width(), height());
 }
 
 Image* ServerDrawable::read_server() {

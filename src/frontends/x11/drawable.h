@@ -61,6 +61,7 @@ class ServerDrawable : public gl::Drawable {
     Image& image();
     void copy_to_image(gl::Context* ctx, gl::ColorBuffer buffer);
     void put(int x, int y, int width, int height);
+    void show(int x, int y, int width, int height);
     std::optional<Geometry> take_answer();
     void resize(int width, int height);
 
