@@ -2,7 +2,8 @@
 """Writes Terrazzo's GL entry points into a build folder.
 
 Input: the Khronos registry (gl.xml), the policy (tools/policy.toml) and the names to export
-(tools/osmesa-exports.txt, tools/libgl-exports.txt, tools/libegl-exports.txt). Output: the headers and sources that src/gl/generated/meson.build lists.
+(tools/osmesa-exports.txt, tools/libgl-exports.txt, tools/libegl-exports.txt,
+tools/vendor-exports.txt). Output: the headers and sources that src/gl/generated/meson.build lists.
 Every output is a function of these inputs alone.
 """
 
@@ -22,14 +23,16 @@ def main():
     parser.add_argument("--osmesa-exports", required=True)
     parser.add_argument("--libgl-exports", required=True)
     parser.add_argument("--libegl-exports", required=True)
+    parser.add_argument("--vendor-exports", required=True)
     parser.add_argument("--out", required=True, type=pathlib.Path)
     options = parser.parse_args()
 
-    osmesa, libgl, libegl = (pathlib.Path(path).read_text().split()
-                             for path in (options.osmesa_exports, options.libgl_exports, options.libegl_exports))
+    osmesa, libgl, libegl, vendor = (pathlib.Path(path).read_text().split()
+                                     for path in (options.osmesa_exports, options.libgl_exports,
+                                                  options.libegl_exports, options.vendor_exports))
     try:
         policy = Policy(options.policy, Registry(options.registry), osmesa, libgl)
-        outputs = dispatch.outputs(policy, libegl) | lists.outputs(policy) | calls.outputs(policy)
+        outputs = dispatch.outputs(policy, libegl, vendor) | lists.outputs(policy) | calls.outputs(policy)
     except PolicyError as error:
         sys.exit(f"{options.policy}: {error}")
     options.out.mkdir(parents=True, exist_ok=True)

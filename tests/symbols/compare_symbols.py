@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the names that a shared library exports with a list, and with another library's when that is there.
 
-usage: compare_symbols.py LIBRARY LIST [OTHER_LIBRARY]
+usage: compare_symbols.py LIBRARY LIST... [-- OTHER_LIBRARY...]
 Fails when a name is missing, when there is one too many, or when a name is exported with a version or as data.
 """
 
@@ -13,7 +13,9 @@ import sys
 def exported(library):
     """(type, name) pairs of the dynamic symbols that the library defines."""
     output = subprocess.run(["nm", "-D", "--defined-only", library], check=True, capture_output=True, text=True).stdout
-    return {tuple(line.split()[1:3]) for line in output.splitlines()}
+    # Weak functions are functions; others' libraries have linker's marks among their data.
+    fields = [line.split()[1:3] for line in output.splitlines()]
+    return {(type.replace("W", "T"), name) for type, name in fields if not name.startswith(("_edata", "_end", "__bss"))}
 
 
 def report(title, names):
@@ -23,9 +25,11 @@ def report(title, names):
 
 
 def main():
-    library, list_path, *others = sys.argv[1:]
+    library, *lists = sys.argv[1:]
+    others = lists[lists.index("--") + 1:] if "--" in lists else []
+    lists = [path for path in lists if path not in ("--", *others)]
     ours = exported(library)
-    wanted = {("T", name) for name in pathlib.Path(list_path).read_text().split()}
+    wanted = {("T", name) for path in lists for name in pathlib.Path(path).read_text().split()}
     failed = report("missing", {n for _, n in wanted - ours}) | report("too many", {f"{t} {n}" for t, n in ours - wanted})
     for other in filter(lambda path: pathlib.Path(path).exists(), others):
         theirs = exported(other)

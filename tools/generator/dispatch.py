@@ -144,12 +144,9 @@ def version_script(exports):
     return f"{{\nglobal:\n{names}local:\n    *;\n}};\n"
 
 
-# Where libglvnd enters vendor libraries.
-VENDOR_EXPORTS = ["__egl_Main", "__glx_Main"]
-
-
-def outputs(policy, libegl_exports=()):
-    windows_exports = [*policy.more_exports, *libegl_exports, *VENDOR_EXPORTS]
+def outputs(policy, libegl_exports=(), vendor_exports=()):
+    """`vendor_exports` are where libglvnd enters vendor libraries."""
+    windows_exports = [*policy.more_exports, *libegl_exports, *vendor_exports]
     return {
         "commands.h": commands_header(policy),
         "dispatch.h": dispatch_header(policy),

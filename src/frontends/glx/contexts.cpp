@@ -41,7 +41,7 @@ GLXContext create(Display* display, const glx::Config* config, int screen, GLXCo
         wanted.double_buffered = config->double_buffered;
     }
     context->gl = gl::create_context(wanted, partner ? partner->gl.get() : nullptr);
-    context->id = XAllocID(display);
+    context->id = xcb_generate_id(context->display->connection.xcb);
     return registry().add(std::move(context));
 } catch (const std::exception&) {
     return fail(display, BadAlloc, false, 0, minor);

@@ -124,7 +124,7 @@ GLXDrawable create_on_server(Display* display, const glx::Config* config, XID se
                 return fail({BadValue, false, 0});
         }
     }
-    const GLXDrawable name = XAllocID(display);
+    const GLXDrawable name = xcb_generate_id(state->connection.xcb);
     registry().add(*state, name, drawable);
     return name;
 } catch (const std::exception&) {
@@ -172,7 +172,7 @@ GLXPbuffer create_pbuffer(Display* display, const glx::Config* config, PbufferRe
                                                                                : gl::Buffering::kSingle);
     drawable->buffers->allocate(std::max(wanted.width, 1), std::max(wanted.height, 1),
                                 config->target_format());
-    const GLXPbuffer name = XAllocID(display);
+    const GLXPbuffer name = xcb_generate_id(state->connection.xcb);
     registry().add(*state, name, std::move(drawable));
     return name;
 } catch (const std::exception&) {
