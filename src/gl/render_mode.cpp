@@ -91,7 +91,7 @@ raster::Varyings feedback_varyings() {
     raster::Varyings varyings;
     varyings.color = kColorVarying;
     varyings.texture[0] = kTextureVarying;
-    varyings.projective = 1;
+    varyings.projective = varyings.uses_r = 1;
     varyings.count = 8;
     return varyings;
 }

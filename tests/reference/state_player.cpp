@@ -56,6 +56,9 @@ const Enumerants kCapabilities = {TERRAZZO_E(GL_ALPHA_TEST),
                                   TERRAZZO_E(GL_TEXTURE_GEN_S),
                                   TERRAZZO_E(GL_TEXTURE_GEN_T)};
 
+const Enumerants kEvaluators = {TERRAZZO_E(GL_AUTO_NORMAL), TERRAZZO_E(GL_MAP1_VERTEX_3),
+                                TERRAZZO_E(GL_MAP2_COLOR_4), TERRAZZO_E(GL_MAP2_TEXTURE_COORD_2)};
+
 const Enumerants kComparisons = {TERRAZZO_E(GL_NEVER),  TERRAZZO_E(GL_LESS),    TERRAZZO_E(GL_EQUAL),
                                  TERRAZZO_E(GL_LEQUAL), TERRAZZO_E(GL_GREATER), TERRAZZO_E(GL_NOTEQUAL),
                                  TERRAZZO_E(GL_GEQUAL), TERRAZZO_E(GL_ALWAYS)};
@@ -113,7 +116,6 @@ const Enumerants kCoordinates = {TERRAZZO_E(GL_S), TERRAZZO_E(GL_T), TERRAZZO_E(
 const Enumerants kClipPlanes = {TERRAZZO_E(GL_CLIP_PLANE0), TERRAZZO_E(GL_CLIP_PLANE1),
                                 TERRAZZO_E(GL_CLIP_PLANE5)};
 
-// GL_CURRENT_BIT and GL_EVAL_BIT save nothing that the player changes.
 const GLbitfield kAttributeBits[] = {GL_ACCUM_BUFFER_BIT, GL_COLOR_BUFFER_BIT,   GL_CURRENT_BIT,
                                      GL_DEPTH_BUFFER_BIT, GL_ENABLE_BIT,         GL_EVAL_BIT,
                                      GL_FOG_BIT,          GL_HINT_BIT,           GL_LIGHTING_BIT,
@@ -130,6 +132,46 @@ struct Command {
 // Enumerants as the values that parameter commands take.
 GLfloat enumerant_number(Player& p, const Enumerants& valid) {
     return static_cast<GLfloat>(p.enumerant(valid));
+}
+
+void play_window_position(Player& p) {
+    const auto v = p.moderate_numbers(3);
+    if (p.pick(2)) return p.gl().WindowPos3f(v[0], v[1], v[2]);
+    p.gl().WindowPos2i(p.integer(), 7);
+}
+
+void play_evaluator(Player& p) {
+    const auto v = p.moderate_numbers(4);
+    const auto segments = static_cast<GLint>(p.pick(6));
+    p.note(std::to_string(segments));
+    switch (p.pick(4)) {
+        case 0:
+            return p.gl().MapGrid1f(segments, v[0], v[1]);
+        case 1:
+            return p.gl().MapGrid2f(segments, v[0], v[1], 3, v[2], v[3]);
+        case 2:
+            return p.gl().Enable(p.enumerant(kEvaluators));
+    }
+    p.gl().Disable(p.enumerant(kEvaluators));
+}
+
+// Never selection or feedback for long: other commands mean something else then.
+void play_render_mode(Player& p) {
+    static GLuint names[64];
+    static GLfloat values[64];
+    const auto size = static_cast<GLsizei>(p.pick(60)) - 4;
+    p.note(std::to_string(size));
+    if (p.pick(2)) {
+        p.gl().SelectBuffer(size, names);
+        if (size <= 0) return;
+        p.gl().RenderMode(GL_SELECT);
+        for (unsigned i = p.pick(4); i > 0; --i) p.gl().PushName(i);
+        for (unsigned i = p.pick(5); i > 0; --i) p.gl().PopName();
+    } else {
+        p.gl().FeedbackBuffer(size, GL_2D + p.pick(6), values);
+        if (size <= 0) return;
+    }
+    p.gl().RenderMode(GL_RENDER);
 }
 
 void play_fog(Player& p) {
@@ -760,6 +802,9 @@ const Command kCommands[] = {
      }},
     {"glPushAttrib", play_push_attrib},
     {"current value", play_current_value},
+    {"glWindowPos", play_window_position},
+    {"evaluator", play_evaluator},
+    {"glRenderMode", play_render_mode},
     {"glBegin...glEnd", play_primitive},
     {"array pointer", play_array},
     {"buffer object", play_buffer},
