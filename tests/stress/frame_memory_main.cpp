@@ -1,8 +1,9 @@
 // stress-frame-memory: how much memory triangles take that wait for their pixels.
 //
-// usage: stress-frame-memory arrays|immediate|states|textures TRIANGLES MEGABYTES. Draws that many triangles
-// between two reads, from one small array again and again, between one Begin and End, each under a state of
-// its own, or each with a texture image of its own, and fails when the process ever held more than MEGABYTES.
+// usage: stress-frame-memory arrays|immediate|states|textures|bitmaps|images TRIANGLES MEGABYTES. Draws that
+// many triangles between two reads, from one small array again and again, between one Begin and End, each
+// under a state of its own, or each with a texture image of its own, or bitmaps or images in their place, and
+// fails when the process ever held more than MEGABYTES.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -81,7 +82,24 @@ void draw_textures(const kit::Gl& gl, long count) {
     }
 }
 
+void draw_bitmaps(const kit::Gl& gl, long count) {
+    const std::vector<unsigned char> bits(128, 0xff);
+    for (long i = 0; i < count; ++i) {
+        gl.WindowPos2i(static_cast<GLint>(i % 500), static_cast<GLint>(i % 490));
+        gl.Bitmap(8, 13, 0, 0, 0, 0, bits.data());
+        if (i % 16 == 0) gl.Color3ub(255, static_cast<GLubyte>(i / 16), 0);
+    }
+}
+
+void draw_images(const kit::Gl& gl, long count) {
+    const std::vector<unsigned char> pixels(4 * 512 * 512, 255);
+    gl.WindowPos2i(0, 0);
+    for (long i = 0; i < count; ++i) gl.DrawPixels(512, 512, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+}
+
 void draw(const kit::Gl& gl, const std::string& way, long count) {
+    if (way == "bitmaps") return draw_bitmaps(gl, count);
+    if (way == "images") return draw_images(gl, count);
     if (way == "states") return draw_states(gl, count);
     if (way == "textures") return draw_textures(gl, count);
     constexpr int kInArray = 1000;
@@ -103,7 +121,8 @@ void draw(const kit::Gl& gl, const std::string& way, long count) {
 int main(int argc, char** argv) {
     if (argc != 4) {
         std::fprintf(stderr,
-                     "usage: stress-frame-memory arrays|immediate|states|textures TRIANGLES MEGABYTES\n");
+                     "usage: stress-frame-memory arrays|immediate|states|textures|bitmaps|images TRIANGLES "
+                     "MEGABYTES\n");
         return 2;
     }
     try {

@@ -27,6 +27,7 @@ class Player {
         for (int i = 0; i < rounds; ++i) {
             change_state();
             for (int draws = 1 + m_random.below(4); draws > 0; --draws) draw();
+            if (m_random.once_in(3)) draw_pixels();
             if (m_random.once_in(6)) clear();
             if (m_random.once_in(6)) change_texture();
         }
@@ -314,6 +315,47 @@ class Player {
             gl.Vertex4fv(v.position);
         }
         gl.End();
+    }
+    GLint bits(GLenum buffer) {
+        GLint count = 0;
+        gl.GetIntegerv(buffer, &count);
+        return count;
+    }
+    // Bitmaps, images and copies, at a random place that may be outside the window.
+    void draw_pixels() {
+        const Color c = color();
+        gl.Color4fv(c.values);
+        gl.WindowPos3f(m_random.between(-40, static_cast<float>(m_width)),
+                       m_random.between(-40, static_cast<float>(m_height)), m_random.between(0, 1));
+        const int width = 1 + m_random.below(70), height = 1 + m_random.below(70);
+        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width * height * 4));
+        for (std::uint8_t& byte : bytes) byte = m_random.byte();
+        const float zoom = m_random.coin() ? 1.0f : m_random.between(-3, 3);
+        gl.PixelZoom(zoom, m_random.coin() ? zoom : 1.0f);
+        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        switch (m_random.below(6)) {
+            case 0:
+                gl.DrawPixels(width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+                break;
+            case 1:
+                gl.DrawPixels(width, height, GL_LUMINANCE_ALPHA, GL_UNSIGNED_SHORT, bytes.data());
+                break;
+            case 2:
+                if (bits(GL_DEPTH_BITS) == 0) break;
+                gl.DrawPixels(width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, bytes.data());
+                break;
+            case 3:
+                if (bits(GL_STENCIL_BITS) == 0) break;
+                gl.DrawPixels(width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, bytes.data());
+                break;
+            case 4:
+                gl.CopyPixels(m_random.below(m_width), m_random.below(m_height), width, height,
+                              m_random.coin() || bits(GL_DEPTH_BITS) == 0 ? GL_COLOR : GL_DEPTH);
+                break;
+            default:
+                for (int i = 0; i < 5; ++i)
+                    gl.Bitmap(width, height, 0, 0, static_cast<float>(width) + 0.5f, 1, bytes.data());
+        }
     }
     std::vector<Vertex> point_at_vertices(int count) {
         std::vector<Vertex> vertices;
