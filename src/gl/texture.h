@@ -41,6 +41,7 @@ struct TextureParameters {
     GLfloat min_lod = -1000;
     GLfloat max_lod = 1000;
     GLfloat lod_bias = 0;
+    bool generate_mipmap = false;
     GLint base_level = 0;
     GLint max_level = 1000;
 };

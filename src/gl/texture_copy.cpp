@@ -7,6 +7,7 @@
 
 #include "gl/context.h"
 #include "gl/generated/commands.h"
+#include "gl/mipmap.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
 #include "gl/read_source.h"
@@ -100,6 +101,7 @@ void copy_tex_image(Context& ctx, GLenum target_name, const LevelSpec& spec, GLi
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
     target.level(spec.level) = std::move(level);
+    update_mipmap(target, spec.level);
 }
 
 void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const LevelBox& box,
@@ -121,6 +123,7 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
     if (!level.image || box.is_empty()) return;
     copy_pixels(ctx.pixels, source, x, y, box, *level.format, writable_image(ctx, level));
+    update_mipmap(target, level_number);
 }
 
 }  // namespace

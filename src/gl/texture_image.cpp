@@ -6,6 +6,7 @@
 
 #include "gl/context.h"
 #include "gl/generated/commands.h"
+#include "gl/mipmap.h"
 #include "gl/texture_spec.h"
 
 namespace terrazzo::gl {
@@ -39,11 +40,12 @@ void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spe
     if (client.pixels && can_refill(ctx, level, spec, format)) {
         upload(ctx.pixels, client, format, all, spec.dimensions, *level.image);
         level.internal_format = spec.internal_format;
-        return;
+        return update_mipmap(target, spec.level);
     }
     TextureLevel made = make_level(spec, format);
     if (client.pixels && made.image) upload(ctx.pixels, client, format, all, spec.dimensions, *made.image);
     level = std::move(made);
+    update_mipmap(target, spec.level);
 }
 
 // GL 1.4 §3.8.1: depth textures have one or two dimensions.
@@ -90,6 +92,7 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
     if (!client.pixels || !level.image || box.is_empty()) return;
     upload(ctx.pixels, client, *level.format, box, dimensions, writable_image(ctx, level));
+    update_mipmap(target, level_number);
 }
 
 }  // namespace

@@ -114,6 +114,9 @@ Rule set_parameter(TextureParameters& parameters, GLenum pname, const GLfloat* v
         case GL_TEXTURE_LOD_BIAS:
             parameters.lod_bias = value;
             return {};
+        case GL_GENERATE_MIPMAP:
+            parameters.generate_mipmap = to_integer(value) != 0;
+            return {};
         case GL_TEXTURE_PRIORITY:
             parameters.priority = clamp_to_unit(value);
             return {};
@@ -166,6 +169,9 @@ bool query(const TextureParameters& parameters, GLenum pname, GLfloat* values) {
             return true;
         case GL_TEXTURE_LOD_BIAS:
             *values = parameters.lod_bias;
+            return true;
+        case GL_GENERATE_MIPMAP:
+            *values = parameters.generate_mipmap;
             return true;
         case GL_TEXTURE_RESIDENT:
             *values = GL_TRUE;

@@ -67,6 +67,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glFog[fi]v", {GL_FOG_START, in}},
         {"glFrontFace", {GL_CW}},
         {"glGenBuffers(ARB)?", {1, out}},
+        {"glGenerateMipmap(EXT)?", {GL_TEXTURE_2D}},
         {"glGenLists", {1}},
         {"glGenQueries(ARB)?", {1, out}},
         {"glGenTextures(EXT)?", {1, out}},

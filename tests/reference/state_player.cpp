@@ -702,6 +702,8 @@ const Command kCommands[] = {
     {"glPointParameter", play_point_parameter},
     {"colour sum and source of fog coordinates", play_fog_sources},
     // Not of a unit: the reference's PopAttrib makes that one 0.
+    {"glTexParameteri(GL_GENERATE_MIPMAP)",
+     [](Player& p) { p.gl().TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, p.flag()); }},
     {"texture bias",
      [](Player& p) { p.gl().TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, p.moderate_number()); }},
     {"sprite",

@@ -161,6 +161,57 @@ TEST_F(TextureTest, UnitsHaveBindingsOfTheirOwn) {
     EXPECT_EQ(bound_texture(ctx(), GL_TEXTURE_2D)->name, 0u);
 }
 
+TEST_F(TextureTest, MipmapsAreGeneratedUpToTheirEnds) {
+    TextureObject& object = make_texture();
+    set(GL_GENERATE_MIPMAP, GL_TRUE);
+    set(GL_TEXTURE_BASE_LEVEL, 1);
+    set(GL_TEXTURE_MAX_LEVEL, 3);
+    specify(0, 32, 8);
+    EXPECT_EQ(object.levels[1].image.operator->(), nullptr);
+    specify(1, 16, 4, GL_LUMINANCE);
+    EXPECT_EQ(object.levels[0].width, 32);
+    EXPECT_EQ(object.levels[3].width, 4);
+    EXPECT_EQ(object.levels[3].height, 1);
+    EXPECT_EQ(object.levels[3].internal_format, GL_LUMINANCE);
+    EXPECT_EQ(object.levels[4].image.operator->(), nullptr);
+    EXPECT_TRUE(completeness(object).complete);
+}
+
+TEST_F(TextureTest, GeneratedTexelsAreMeansRoundedUpPairByPair) {
+    make_texture();
+    set(GL_GENERATE_MIPMAP, GL_TRUE);
+    const GLubyte texels[] = {10, 13, 20, 21};
+    pixel_storei(ctx(), GL_UNPACK_ALIGNMENT, 1);
+    tex_image_2d(ctx(), GL_TEXTURE_2D, 0, GL_LUMINANCE8, 2, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texels);
+    GLubyte mean = 0;
+    get_tex_image(ctx(), GL_TEXTURE_2D, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE, &mean);
+    EXPECT_EQ(mean, 17);  // of (10 + 13 + 1) / 2 and (20 + 21 + 1) / 2
+    const GLubyte changed = 90;
+    tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 1, 1, 1, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE, &changed);
+    get_tex_image(ctx(), GL_TEXTURE_2D, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE, &mean);
+    EXPECT_EQ(mean, 34);
+}
+
+TEST_F(TextureTest, GenerateMipmapNeedsABaseLevel) {
+    TextureObject& object = make_texture();
+    generate_mipmap(ctx(), GL_TEXTURE_2D);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_OPERATION});
+    generate_mipmap(ctx(), GL_PROXY_TEXTURE_2D);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_ENUM});
+    specify(0, 5, 3, GL_RGBA, 1);
+    generate_mipmap(ctx(), GL_TEXTURE_2D);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    EXPECT_TRUE(completeness(object).complete);
+    EXPECT_EQ(object.levels[1].border, 1);
+    GLuint cube = 0;
+    gen_textures(ctx(), 1, &cube);
+    bind_texture(ctx(), GL_TEXTURE_CUBE_MAP, cube);
+    tex_image_2d(ctx(), GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_RGB, 4, 4, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 nullptr);
+    generate_mipmap(ctx(), GL_TEXTURE_CUBE_MAP);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_OPERATION});
+}
+
 TEST_F(TextureTest, MaxLevelEndsTheMipmap) {
     TextureObject& object = make_texture();
     specify(0, 8, 8);
