@@ -47,6 +47,8 @@ void Arena::next_block() {
 }
 
 void Arena::reset() {
+    // An empty frame says nothing about the next one.
+    if (m_used_blocks == 0) return;
     // A frame like the last one finds its blocks; twice as many would be an old peak.
     const size_t wanted = std::max<size_t>(2 * m_used_blocks, 4);
     if (m_blocks.size() > wanted) m_blocks.resize(wanted);
