@@ -47,15 +47,16 @@ int64_t snap(float window) {
     return std::llrint((window - 0.5f) * 256.0f);
 }
 
-// `slope` is what the texture coordinate gains from pixel to pixel; it is 1 at the end. Of edges that run
-// through pixel centres the left one belongs to the quad, and the one that is lower in the window.
-PixelAxis zoomed_axis(const Ends& ends, float slope, GLsizei size, int low, int high, bool upper_end_counts) {
+// `slope` is what the texture coordinate gains from pixel to pixel; `origin` is where it would be at pixel 0.
+// Of edges that run through pixel centres the left one belongs to the quad, and the one that is lower in the
+// window.
+PixelAxis zoomed_axis(const Ends& ends, float slope, float origin, GLsizei size, int low, int high,
+                      bool upper_end_counts) {
     const int64_t a = std::min(snap(ends.start), snap(ends.end)),
                   b = std::max(snap(ends.start), snap(ends.end));
     // Pixel p is inside where a <= 256 p < b, or a < 256 p <= b.
     const int64_t first = upper_end_counts ? (a >> 8) + 1 : (a + 255) >> 8;
     const int64_t end = upper_end_counts ? (b >> 8) + 1 : (b + 255) >> 8;
-    const float origin = 1.0f - slope * (ends.end - 0.5f);
     PixelAxis axis;
     axis.first = static_cast<int>(std::clamp<int64_t>(first, low, high));
     const int last = static_cast<int>(std::clamp<int64_t>(end, low, high));
@@ -106,8 +107,14 @@ PixelGrid make_pixel_grid(const Context& ctx, GLsizei width, GLsizei height) {
     if (!(across.length() != 0) || !(up.length() != 0)) return grid;
     // As set-up computes planes: divided by the area first (doc/reference.md §3.2).
     const float inverse_area = 1.0f / (across.length() * up.length());
-    grid.columns = zoomed_axis(across, up.length() * inverse_area, width, box.x0, box.x1, false);
-    grid.rows = zoomed_axis(up, across.length() * inverse_area, height, box.y0, box.y1, true);
+    const float slope_x = up.length() * inverse_area, slope_y = across.length() * inverse_area;
+    // From the first vertex of the triangle that the quad's upper half is, which a mirrored quad turns round.
+    const bool mirrored = (across.length() > 0) == (up.length() > 0);
+    const float origin_x =
+        mirrored ? 0.0f - slope_x * (across.start - 0.5f) : 1.0f - slope_x * (across.end - 0.5f);
+    const float origin_y = 1.0f - slope_y * (up.end - 0.5f);
+    grid.columns = zoomed_axis(across, slope_x, origin_x, width, box.x0, box.x1, false);
+    grid.rows = zoomed_axis(up, slope_y, origin_y, height, box.y0, box.y1, true);
     return grid;
 }
 
