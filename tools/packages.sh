@@ -5,7 +5,8 @@
 packages_build="g++ meson ninja-build pkg-config python3 libhwy-dev khronos-api libx11-dev libx11-xcb-dev libxcb-shm0-dev
   libglvnd-core-dev libgl-dev libegl-dev"
 packages_tests="libosmesa6-dev libgtest-dev libgmock-dev nlohmann-json3-dev libopenimageio-dev libcli11-dev libfmt-dev
-  libbenchmark-dev libtinygltf-dev libstb-dev libglfw3-dev assimp-testmodels xvfb python3-opengl"
+  libbenchmark-dev libtinygltf-dev libstb-dev libglfw3-dev libsdl2-dev assimp-testmodels xvfb python3-opengl
+  python3-pyglet"
 packages_clang="clang"
 packages_arm="g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user"
 

@@ -1,90 +1,78 @@
 #!/usr/bin/env python3
 """Runs an unmodified client with Terrazzo's library and with the system's and compares the pictures it writes.
 
-usage: compare_pictures.py [--display] OUR_LIBRARY THEIR_LIBRARY COMMAND...
+usage: compare_pictures.py [--display] [--osmesa OURS THEIRS | [--plain FOLDER] [--vendor FOLDER]] COMMAND...
 The command gets a file name as its last argument, writes a binary PPM there and prints "renderer: NAME". It finds the
-library by its own means: ours is put before the system's with LD_LIBRARY_PATH. --display: it runs in an Xvfb of its own.
-Exits with 77, which meson takes for "skipped", when something of the system's is missing.
+library by its own means: ours is put before the system's by the environment alone. --display, and every library but
+OSMesa: it runs in an Xvfb of its own. Exits with 77, which meson takes for "skipped", when something of the system's is
+missing.
 """
 
+import argparse
 import contextlib
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 
-STEP = 1  # of 255
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "windows"))
+from on_display import environment, skip, xvfb
+
+STEP = 1  # of 255: two roundings of the same value
+FEWEST_COLOURS = 100  # less is no picture
 
 
-def skip(reason):
-    print("skipped:", reason)
-    sys.exit(77)
-
-
-@contextlib.contextmanager
-def xvfb():
-    """The name of a display of our own."""
-    if not shutil.which("Xvfb"):
-        skip("Xvfb is not installed")
-    reader, writer = os.pipe()
-    arguments = ["-displayfd", str(writer), "-screen", "0", "640x480x24", "-nolisten", "tcp"]
-    server = subprocess.Popen(["Xvfb", *arguments], pass_fds=[writer], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL)
-    os.close(writer)
-    try:
-        with open(reader) as answer:
-            number = answer.readline().strip()
-        if not number:
-            skip("Xvfb does not start here")
-        yield ":" + number
-    finally:
-        server.terminate()
-        server.wait()
-
-
-def draw(command, library_path, display):
+def draw(command, variables):
     """The renderer's name, the picture's header and the pixels' bytes."""
-    environment = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
-    if display:
-        environment["DISPLAY"] = display
-    if library_path:
-        environment["LD_LIBRARY_PATH"] = str(library_path)
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "picture.ppm"
-        run = subprocess.run([*command, picture], env=environment, capture_output=True, text=True, timeout=100)
+        run = subprocess.run([*command, picture], env=variables, capture_output=True, text=True, timeout=100)
         if run.returncode == 77:
             skip((run.stdout + run.stderr).strip())
         if run.returncode != 0:
             sys.exit(f"{command[-1]}: exit status {run.returncode}\n{run.stdout}{run.stderr}")
         renderer = [line for line in run.stdout.splitlines() if line.startswith("renderer: ")][0]
         header, pixels = picture.read_bytes().split(b"\n255\n", 1)
-    return renderer, header, pixels
+    return renderer.removeprefix("renderer: "), header, pixels
 
 
-def main():
-    arguments = sys.argv[1:]
-    display = arguments[0] == "--display"
-    ours, theirs, *command = arguments[display:]
-    command = [pathlib.Path(word).resolve() if pathlib.Path(word).exists() else word for word in command]
-    if not pathlib.Path(theirs).exists():
-        skip(f"{theirs} is not installed")
-    with xvfb() if display else contextlib.nullcontext() as name:
-        our_renderer, our_header, our_pixels = draw(command, pathlib.Path(ours).resolve().parent, name)
-        their_renderer, their_header, their_pixels = draw(command, None, name)
+def compare(ours, theirs):
+    """Prints how two answers of draw() differ; ends the program when it is by more than they may."""
+    (our_renderer, our_header, our_pixels), (their_renderer, their_header, their_pixels) = ours, theirs
     print(our_renderer, their_renderer, sep="\n")
-    if "Terrazzo" not in our_renderer or "Terrazzo" in their_renderer:
+    if not our_renderer.startswith("Terrazzo") or "Terrazzo" in their_renderer:
         sys.exit("the libraries were not the two to be compared")
     if our_header != their_header or len(our_pixels) != len(their_pixels):
         sys.exit("the pictures differ in size")
     colours = len({their_pixels[i:i + 3] for i in range(0, len(their_pixels), 3)})
-    if colours < 100:
+    if colours < FEWEST_COLOURS:
         sys.exit(f"{colours} colours are no picture")
     differences = [abs(a - b) for a, b in zip(our_pixels, their_pixels)]
     print(f"{colours} colours, {sum(d > 0 for d in differences)} of {len(differences)} values differ, "
           f"by {max(differences)} at most")
-    sys.exit(max(differences) > STEP)
+    if max(differences) > STEP:
+        sys.exit(f"{sum(d > STEP for d in differences)} values differ by more than {STEP}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--display", action="store_true")
+    parser.add_argument("--osmesa", nargs=2, metavar=("OURS", "THEIRS"))
+    parser.add_argument("--vendor")
+    parser.add_argument("--plain")
+    parser.add_argument("command", nargs=argparse.REMAINDER)
+    options = parser.parse_args()
+    command = [pathlib.Path(word).resolve() if pathlib.Path(word).exists() else word for word in options.command]
+    if options.osmesa and not pathlib.Path(options.osmesa[1]).exists():
+        skip(f"{options.osmesa[1]} is not installed")
+    needs_display = options.display or not options.osmesa
+    with xvfb() if needs_display else contextlib.nullcontext() as display:
+        theirs = environment(display)
+        ours = environment(display, options.vendor, options.plain)
+        if options.osmesa:
+            ours["LD_LIBRARY_PATH"] = str(pathlib.Path(options.osmesa[0]).resolve().parent)
+        compare(draw(command, ours), draw(command, theirs))
 
 
 if __name__ == "__main__":

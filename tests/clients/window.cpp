@@ -1,10 +1,13 @@
-// A GLFW program that asks for an OSMesa context: GLFW finds the library, the program asks GLFW for GL's
-// commands. usage: window PICTURE. Exits with 77 when GLFW has no display.
+// A GLFW program in a window: GLFW finds the library, the program asks GLFW for GL's commands. usage:
+// window osmesa|glx|egl PICTURE. What GLFW or the X server shows must be what was read. Exits with 77 when
+// GLFW has no display.
 #define GLFW_INCLUDE_NONE
 #define GLFW_EXPOSE_NATIVE_OSMESA
+#define GLFW_EXPOSE_NATIVE_X11
 #include <GLFW/glfw3.h>
 // GLFW's native header includes osmesa.h, which needs gl.h; gl_table.h brings both GL headers.
 #include <GLFW/glfw3native.h>
+#include <X11/Xutil.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -30,39 +33,68 @@ void find_commands() {
 
 namespace {
 
+using Pixels = unsigned char[kPictureHeight][kPictureWidth][4];  // bottom row first
+
+bool buffer_has(GLFWwindow* window, const Pixels& picture) {
+    int width = 0, height = 0, format = 0;
+    void* shown = nullptr;
+    return glfwGetOSMesaColorBuffer(window, &width, &height, &format, &shown) && width == kPictureWidth &&
+           height == kPictureHeight && format == OSMESA_RGBA &&
+           std::memcmp(shown, picture, sizeof picture) == 0;
+}
+
+// The server's window has 8 bits a component, red first, as on_display.py starts it.
+bool screen_has(GLFWwindow* window, const Pixels& picture) {
+    Display* const display = glfwGetX11Display();
+    XSync(display, 0);
+    XImage* const image =
+        XGetImage(display, glfwGetX11Window(window), 0, 0, kPictureWidth, kPictureHeight, AllPlanes, ZPixmap);
+    if (!image) return false;
+    int off = 0;
+    for (int y = 0; y < kPictureHeight; ++y) {
+        for (int x = 0; x < kPictureWidth; ++x) {
+            const unsigned char* const rgba = picture[kPictureHeight - 1 - y][x];
+            const unsigned long value = XGetPixel(image, x, y) & 0xffffff;
+            off += value != (rgba[0] * 65536ul + rgba[1] * 256ul + rgba[2]);
+        }
+    }
+    XDestroyImage(image);
+    if (off > 0) std::fprintf(stderr, "%d pixels of the screen are others\n", off);
+    return off == 0;
+}
+
 int draw_in(GLFWwindow* window, const char* path) {
-    static unsigned char read[kPictureHeight][kPictureWidth][4];
+    static Pixels read;
     glfwMakeContextCurrent(window);
     if (glfwGetCurrentContext() != window) return EXIT_FAILURE;
     find_commands();
     draw_picture();
     gl.Finish();
     gl.ReadPixels(0, 0, kPictureWidth, kPictureHeight, GL_RGBA, GL_UNSIGNED_BYTE, read);
-
-    // What GLFW answers is the same picture.
-    int width = 0, height = 0, format = 0;
-    void* shown = nullptr;
-    if (!glfwGetOSMesaColorBuffer(window, &width, &height, &format, &shown)) return EXIT_FAILURE;
-    if (width != kPictureWidth || height != kPictureHeight || format != OSMESA_RGBA ||
-        std::memcmp(shown, read, sizeof read) != 0) {
-        std::fprintf(stderr, "the window's buffer, %d x %d in %x, has another picture\n", width, height,
-                     format);
+    glfwSwapBuffers(window);
+    const bool osmesa = glfwGetWindowAttrib(window, GLFW_CONTEXT_CREATION_API) == GLFW_OSMESA_CONTEXT_API;
+    if (!(osmesa ? buffer_has(window, read) : screen_has(window, read))) {
+        std::fprintf(stderr, "the window has another picture\n");
         return EXIT_FAILURE;
     }
-    glfwSwapBuffers(window);
     return hand_over(path, &read[0][0][0]);
+}
+
+int creation_api(const char* name) {
+    if (std::strcmp(name, "glx") == 0) return GLFW_NATIVE_CONTEXT_API;
+    return std::strcmp(name, "egl") == 0 ? GLFW_EGL_CONTEXT_API : GLFW_OSMESA_CONTEXT_API;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count != 2) return EXIT_FAILURE;
+    if (count != 3) return EXIT_FAILURE;
     glfwSetErrorCallback([](int, const char* text) { std::fprintf(stderr, "GLFW: %s\n", text); });
     if (!glfwInit()) return 77;
-    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, creation_api(arguments[1]));
     glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
     GLFWwindow* const window = glfwCreateWindow(kPictureWidth, kPictureHeight, "Terrazzo", nullptr, nullptr);
-    const int status = window ? draw_in(window, arguments[1]) : EXIT_FAILURE;
+    const int status = window ? draw_in(window, arguments[2]) : EXIT_FAILURE;
     glfwTerminate();
     return status;
 }

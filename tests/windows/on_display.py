@@ -43,16 +43,16 @@ def xvfb(without=(), size="1280x1024", depth=24):
 
 
 def environment(display, vendor=None, plain=None):
-    """What makes a program load our libraries; with neither folder, the system's."""
+    """What makes a program load our libraries; with neither folder, the system's. With both, as `terrazzo run` does it."""
     out = {name: value for name, value in os.environ.items()
            if name not in ("LD_LIBRARY_PATH", "LIBGL_ALWAYS_INDIRECT") and not name.startswith(("__GLX", "__EGL"))}
-    out["DISPLAY"] = display
+    if display:
+        out["DISPLAY"] = display
     if vendor:
-        out["LD_LIBRARY_PATH"] = str(vendor)
         out["__GLX_VENDOR_LIBRARY_NAME"] = "terrazzo"
         out["__EGL_VENDOR_LIBRARY_FILENAMES"] = str(pathlib.Path(vendor) / "terrazzo.json")
-    if plain:
-        out["LD_LIBRARY_PATH"] = str(plain)
+    if vendor or plain:
+        out["LD_LIBRARY_PATH"] = ":".join(str(folder) for folder in (plain, vendor) if folder)
     return out
 
 

@@ -1,12 +1,18 @@
 #!/usr/bin/env python3
-"""A PyOpenGL program that draws through OSMesa. usage: offscreen.py PICTURE. Exits with 77 without PyOpenGL."""
+"""A PyOpenGL program. usage: pyopengl.py osmesa|glx|egl PICTURE
 
+It draws through OSMesa, or through GLX or EGL in a window of GLFW's. Exits with 77 without PyOpenGL, GLFW or a display.
+"""
+
+import contextlib
+import ctypes
 import os
 import sys
 
-os.environ["PYOPENGL_PLATFORM"] = "osmesa"
+PLATFORM = sys.argv[1]
+os.environ["PYOPENGL_PLATFORM"] = PLATFORM
 try:
-    from OpenGL import GL, arrays, osmesa
+    from OpenGL import GL, arrays
 except ImportError as error:
     print(f"no PyOpenGL: {error}")
     sys.exit(77)
@@ -63,10 +69,39 @@ def check_queries():
         raise AssertionError("an unknown enumerant was accepted")
 
 
-def main():
+@contextlib.contextmanager
+def osmesa_context():
+    from OpenGL import osmesa
     context = osmesa.OSMesaCreateContextExt(osmesa.OSMESA_RGBA, 24, 8, 0, None)
     buffer = arrays.GLubyteArray.zeros((HEIGHT, WIDTH, 4))
     assert osmesa.OSMesaMakeCurrent(context, buffer, GL.GL_UNSIGNED_BYTE, WIDTH, HEIGHT)
+    yield
+    osmesa.OSMesaDestroyContext(context)
+
+
+@contextlib.contextmanager
+def window_context():
+    resizable, context_creation_api, native_context_api, egl_context_api = 0x00020003, 0x0002200B, 0x00036001, 0x00036002
+    try:
+        glfw = ctypes.CDLL("libglfw.so.3")
+    except OSError as error:
+        print(f"no GLFW: {error}")
+        sys.exit(77)
+    if not glfw.glfwInit():
+        print("no display")
+        sys.exit(77)
+    glfw.glfwCreateWindow.restype = ctypes.c_void_p
+    glfw.glfwWindowHint(resizable, 0)
+    glfw.glfwWindowHint(context_creation_api, egl_context_api if PLATFORM == "egl" else native_context_api)
+    window = ctypes.c_void_p(glfw.glfwCreateWindow(WIDTH, HEIGHT, b"Terrazzo", None, None))
+    assert window
+    glfw.glfwMakeContextCurrent(window)
+    yield
+    glfw.glfwSwapBuffers(window)
+    glfw.glfwTerminate()
+
+
+def draw(path):
     GL.glClearColor(0.1, 0.2, 0.3, 1)
     GL.glEnable(GL.GL_DEPTH_TEST)
     GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
@@ -75,9 +110,9 @@ def main():
     check_queries()
     pixels = GL.glReadPixels(0, 0, WIDTH, HEIGHT, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
     print("renderer:", GL.glGetString(GL.GL_RENDERER).decode())
-    with open(sys.argv[1], "wb") as file:
+    with open(path, "wb") as file:
         file.write(b"P6\n%d %d\n255\n" % (WIDTH, HEIGHT) + bytes(pixels))
-    osmesa.OSMesaDestroyContext(context)
 
 
-main()
+with osmesa_context() if PLATFORM == "osmesa" else window_context():
+    draw(sys.argv[2])
