@@ -1,0 +1,90 @@
+"""Replays apitrace traces on two drivers and compares the pictures.
+
+A trace is what one program asked of GL; replayed on another driver it shows what that driver makes of the same calls.
+"""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+
+import numpy
+from PIL import Image
+
+
+def run(command, environment, **options):
+    return subprocess.run(command, env=environment, capture_output=True, text=True, errors="replace", **options)
+
+
+def tool_for(trace, environment):
+    head = run(["apitrace", "dump", "--color=never", "--calls=0-60", str(trace)], environment).stdout
+    return "eglretrace" if re.search(r"\begl[A-Z]", head) else "glretrace"
+
+
+def calls_named(trace, name, environment):
+    dump = run(["apitrace", "dump", "--color=never", "--grep=" + name, str(trace)], environment).stdout
+    return [int(line.split()[0]) for line in dump.splitlines() if line[:1].isdigit()]
+
+
+def frames_of(trace, environment, wanted):
+    """Numbers of calls that end a frame, spread over the trace; and whether the program draws to the front."""
+    swaps = calls_named(trace, "SwapBuffers", environment)
+    if not swaps:
+        flushes = calls_named(trace, "glFlush", environment) or calls_named(trace, "glFinish", environment)
+        return flushes[-1:], True
+    swaps = swaps[1:] or swaps
+    last = len(swaps) - 1
+    return sorted({swaps[i * last // max(1, wanted - 1)] for i in range(min(wanted, len(swaps)))}), False
+
+
+def pictures(tool, trace, calls, folder, environment):
+    """Pictures by number of call."""
+    folder.mkdir(parents=True)
+    prefix = f"{folder}/"
+    result = run([tool, "--headless", "-s", prefix, "-S", ",".join(map(str, calls)), str(trace)], environment, timeout=900)
+    return {int(path.stem): numpy.asarray(Image.open(path).convert("RGB")).astype(int)
+            for path in folder.glob("*.png")}, result
+
+
+def compare(trace, theirs, ours, wanted=5, keep=None):
+    """A line for each frame: (call, share of pixels within 1 of 255, largest difference, text)."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="replay-"))
+    try:
+        tool = tool_for(trace, theirs)
+        calls, single = frames_of(trace, theirs, wanted)
+        if not calls:
+            return []
+        expected, _ = pictures(tool, trace, calls, folder / "theirs", theirs)
+        if single:
+            # Mesa's replays of front buffers race with the X server: only pictures that repeat, and show something, count.
+            again, _ = pictures(tool, trace, calls, folder / "again", theirs)
+            expected = {call: picture for call, picture in expected.items()
+                        if call in again and numpy.array_equal(picture, again[call]) and picture.any()}
+        actual, result = pictures(tool, trace, calls, folder / "ours", ours)
+        lines = []
+        for call, picture in sorted(expected.items()):
+            other = actual.get(call)
+            if other is None or other.shape != picture.shape:
+                lines.append((call, 0.0, 255, "no picture: " + result.stderr.strip()[-300:]))
+                continue
+            difference = numpy.abs(picture - other).max(2)
+            lines.append((call, float((difference <= 1).mean()), int(difference.max()), ""))
+        return lines
+    finally:
+        if keep:
+            shutil.copytree(folder, keep, dirs_exist_ok=True)
+        shutil.rmtree(folder)
+
+
+WITHIN_ONE = 0.999  # of a frame's pixels
+
+
+def judge(lines):
+    """Prints the lines; whether all are good."""
+    good = True
+    for call, within, largest, text in lines:
+        bad = within < WITHIN_ONE
+        good &= not bad
+        print(f"  call {call}: {100 * within:.3f} % within 1, largest difference {largest} {text}{' FAILED' if bad else ''}")
+    return good

@@ -1,0 +1,10 @@
+# The programs that people know, from Debian's packages, on Terrazzo beside Mesa.
+# usage: programs.sh FILE, which gets the build folder's name.
+set -u
+. tools/packages.sh
+. tools/build.sh
+need_packages build tests programs
+echo build >>"$1"
+rm -f build/meson-logs/testlog.*
+build_in build || exit 1
+meson test -C build --no-rebuild --print-errorlogs --suite programs
