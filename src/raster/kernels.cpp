@@ -55,6 +55,13 @@ constexpr Specialised specialise() {
     return {kKey, specialised_kernel<kKey>};
 }
 
+// One colour a primitive, each another: glShadeModel(GL_FLAT).
+constexpr FragmentKey flat_key(Compare func, bool perspective) {
+    FragmentKey key = hot_key(true, func, perspective, true, TextureKind::kNone);
+    key.flat_color = true;
+    return key;
+}
+
 // Images that are copied, and such with an alpha channel.
 constexpr FragmentKey image_key(PixelImage image, BlendKind blend) {
     FragmentKey key = hot_key(false, Compare::kLess, false, false, TextureKind::kNone, blend);
@@ -75,6 +82,8 @@ constexpr Specialised kSpecialised[] = {
     specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone)>(),
     specialise<hot_key(true, Compare::kLess, true, false, TextureKind::kNone)>(),
+    specialise<flat_key(Compare::kLess, true)>(),
+    specialise<flat_key(Compare::kLessEqual, true)>(),
     specialise<hot_key(true, Compare::kLess, true, false, TextureKind::kBilinearRgba8)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, false, TextureKind::kBilinearRgba8)>(),
     specialise<hot_key(true, Compare::kLess, true, false, kBilinear)>(),
