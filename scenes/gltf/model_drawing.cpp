@@ -1,28 +1,13 @@
-// Stage: models from files, drawn by fixed-function OpenGL 1.1: two lights, materials, one texture, arrays.
+// A model's frame: camera, lights, materials, arrays.
+#include "model_drawing.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "model.h"
-
 namespace terrazzo::gltf {
 namespace {
-
-class ModelDrawing final : public kit::Drawing {
-  public:
-    explicit ModelDrawing(Model model) : m_model(std::move(model)) {}
-    void prepare(const kit::Gl& gl, int width, int height) override;
-    void draw(const kit::Gl& gl, int frame) override;
-
-  private:
-    void set_projection(const kit::Gl& gl, int width, int height) const;
-    void place_camera(const kit::Gl& gl, int frame) const;
-    void set_material(const kit::Gl& gl, const Material& material, bool lit) const;
-    void draw_part(const kit::Gl& gl, const Part& part) const;
-
-    Model m_model;
-    std::vector<GLuint> m_textures;
-};
 
 constexpr double kFieldOfView = 45;
 
@@ -60,8 +45,23 @@ void set_lights(const kit::Gl& gl) {
     gl.Enable(GL_LIGHT1);
 }
 
+}  // namespace
+
+ModelDrawing::ModelDrawing(Model model) : m_model(std::move(model)) {}
+
+float ModelDrawing::distance() const {
+    return camera_distance(m_model.radius) / m_view.zoom;
+}
+
+void ModelDrawing::look(const kit::Gl& gl, const View& view, int width, int height) {
+    m_view = view;
+    gl.Viewport(0, 0, width, height);
+    set_projection(gl, width, height);
+    gl.PolygonMode(GL_FRONT_AND_BACK, view.wireframe ? GL_LINE : GL_FILL);
+}
+
 void ModelDrawing::set_projection(const kit::Gl& gl, int width, int height) const {
-    const double distance = camera_distance(m_model.radius);
+    const double distance = this->distance();
     const double near_plane = std::max(distance - 1.2 * m_model.radius, distance * 0.01);
     const double top = near_plane * std::tan(kFieldOfView * std::numbers::pi / 360);
     // The narrower direction keeps the field of view.
@@ -88,9 +88,9 @@ void ModelDrawing::prepare(const kit::Gl& gl, int width, int height) {
 
 void ModelDrawing::place_camera(const kit::Gl& gl, int frame) const {
     gl.LoadIdentity();
-    gl.Translatef(0, 0, -camera_distance(m_model.radius));
-    gl.Rotatef(22, 1, 0, 0);
-    gl.Rotatef(-35 + static_cast<float>(frame), 0, 1, 0);
+    gl.Translatef(m_view.shift_x * m_model.radius, m_view.shift_y * m_model.radius, -distance());
+    gl.Rotatef(m_view.tilt, 1, 0, 0);
+    gl.Rotatef(m_view.turn + static_cast<float>(frame), 0, 1, 0);
     gl.Translatef(-m_model.centre[0], -m_model.centre[1], -m_model.centre[2]);
 }
 
@@ -106,11 +106,11 @@ void ModelDrawing::set_material(const kit::Gl& gl, const Material& material, boo
     gl.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, emission);
     gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
     gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, material.double_sided);
-    toggle(GL_LIGHTING, lit);
+    toggle(GL_LIGHTING, lit && m_view.lighting);
     toggle(GL_CULL_FACE, !material.double_sided);
-    toggle(GL_TEXTURE_2D, material.texture >= 0);
-    if (material.texture >= 0)
-        gl.BindTexture(GL_TEXTURE_2D, m_textures[static_cast<std::size_t>(material.texture)]);
+    const bool textured = material.texture >= 0 && m_view.textures;
+    toggle(GL_TEXTURE_2D, textured);
+    if (textured) gl.BindTexture(GL_TEXTURE_2D, m_textures[static_cast<std::size_t>(material.texture)]);
     toggle(GL_ALPHA_TEST, material.alpha_cutoff > 0);
     gl.AlphaFunc(GL_GEQUAL, material.alpha_cutoff);
     toggle(GL_BLEND, material.blended);
@@ -157,8 +157,6 @@ void ModelDrawing::draw(const kit::Gl& gl, int frame) {
             if (m_model.materials[static_cast<std::size_t>(part.material)].blended == blended)
                 draw_part(gl, part);
 }
-
-}  // namespace
 
 std::unique_ptr<kit::Drawing> create_drawing(Model model) {
     return std::make_unique<ModelDrawing>(std::move(model));

@@ -20,7 +20,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "windows
 from on_display import environment, skip, xvfb
 
 STEP = 1  # of 255: two roundings of the same value
-FEWEST_COLOURS = 100  # less is no picture
 
 
 def draw(command, variables):
@@ -37,8 +36,8 @@ def draw(command, variables):
     return renderer.removeprefix("renderer: "), header, pixels
 
 
-def compare(ours, theirs):
-    """Prints how two answers of draw() differ; ends the program when it is by more than they may."""
+def compare(ours, theirs, fewest_colours=100):
+    """Prints how two answers of draw() differ; ends the program when it is by more than they may, or no picture."""
     (our_renderer, our_header, our_pixels), (their_renderer, their_header, their_pixels) = ours, theirs
     print(our_renderer, their_renderer, sep="\n")
     if not our_renderer.startswith("Terrazzo") or "Terrazzo" in their_renderer:
@@ -46,7 +45,7 @@ def compare(ours, theirs):
     if our_header != their_header or len(our_pixels) != len(their_pixels):
         sys.exit("the pictures differ in size")
     colours = len({their_pixels[i:i + 3] for i in range(0, len(their_pixels), 3)})
-    if colours < FEWEST_COLOURS:
+    if colours < fewest_colours:
         sys.exit(f"{colours} colours are no picture")
     differences = [abs(a - b) for a, b in zip(our_pixels, their_pixels)]
     print(f"{colours} colours, {sum(d > 0 for d in differences)} of {len(differences)} values differ, "

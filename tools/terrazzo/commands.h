@@ -11,5 +11,6 @@ void add_info_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_demo_command(CLI::App& app);
 void add_run_command(CLI::App& app);
+void add_view_command(CLI::App& app);
 
 }  // namespace terrazzo

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
     terrazzo::add_draw_command(app);
     terrazzo::add_demo_command(app);
     terrazzo::add_run_command(app);
+    terrazzo::add_view_command(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& stop) {

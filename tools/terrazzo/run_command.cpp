@@ -22,7 +22,7 @@
 
 #include "commands.h"
 #include "frontends/window/watch.h"
-#include "places.h"
+#include "launch.h"
 #include "report/pictures.h"
 
 namespace terrazzo {
@@ -40,29 +40,6 @@ struct Options {
 
 void set(const char* name, const std::string& value) {
     setenv(name, value.c_str(), 1);
-}
-
-// The plain libraries come first: they need no GLX in the server. What links libglvnd's own libGLX or libEGL
-// finds the vendor libraries, which are the same file.
-void set_environment(const Options& options) {
-    const fs::path vendor = vendor_folder();
-    std::string path =
-        plain_folder() + ":" + vendor.string() + ":" + fs::path(own_library()).parent_path().string();
-    if (const char* before = std::getenv("LD_LIBRARY_PATH"); before && *before)
-        path += std::string(":") + before;
-    set("LD_LIBRARY_PATH", path);
-    set("__GLX_VENDOR_LIBRARY_NAME", "terrazzo");
-    set("__EGL_VENDOR_LIBRARY_FILENAMES", vendor_description());
-    if (options.threads >= 0) set("TERRAZZO_THREADS", std::to_string(options.threads));
-}
-
-[[noreturn]] void become(const std::vector<std::string>& command) {
-    std::vector<char*> arguments;
-    for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
-    execvp(arguments[0], arguments.data());
-    fmt::print(stderr, "terrazzo: {}: {}\n", command[0], std::strerror(errno));
-    _exit(errno == ENOENT ? 127 : 126);
 }
 
 class Socket {
@@ -209,7 +186,7 @@ class Listener {
 };
 
 void run(const Options& options) {
-    set_environment(options);
+    use_terrazzo(options.threads);
     if (options.record.empty() && !options.stats) become(options.command);
     Listener listener(options);
     set("TERRAZZO_WATCH", listener.path());
