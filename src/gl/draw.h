@@ -26,6 +26,7 @@ struct Drawing {
     bool raster_is_stale = true;
     raster::PixelImage raster_image = raster::PixelImage::kNone;
     std::array<float, 4> raster_color{};
+    pipeline::ShadedVertices raster_vertices;  // the one vertex of a raster position that is lit
 };
 
 // Queues primitives of vertices that were specified under the present state. `w_is_one`: so is every

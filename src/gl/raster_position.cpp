@@ -83,7 +83,7 @@ void light_position(Context& ctx, const Vector4& object, RasterPosition& out) {
     input.constants[pipeline::kPosition] = object;
     validate(ctx, input, false);
     const pipeline::VertexState& state = ctx.drawing.state.vertex;
-    pipeline::ShadedVertices vertices;
+    pipeline::ShadedVertices& vertices = ctx.drawing.raster_vertices;
     vertices.reserve(pipeline::kFirstVarying + 2 * state.varyings.count);
     const pipeline::FloatEnvironment environment;
     pipeline::geometry().shade_vertices(state, input, nullptr, 0, 1, vertices);
