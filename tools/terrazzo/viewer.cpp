@@ -77,8 +77,7 @@ class Viewer {
     void run() {
         m_second_start = glfwGetTime();
         for (int frame = 0; m_options.frames == 0 || frame < m_options.frames; ++frame) {
-            draw();
-            glfwSwapBuffers(m_window);
+            show();
             count_frame();
             glfwPollEvents();
             if (glfwWindowShouldClose(m_window)) break;
@@ -100,6 +99,7 @@ class Viewer {
         glfwSetFramebufferSizeCallback(m_window, [](GLFWwindow* window, int width, int height) {
             of(window).m_width = std::max(width, 1);
             of(window).m_height = std::max(height, 1);
+            of(window).m_shown_at_size = 0;
         });
     }
     static Viewer& of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
@@ -157,6 +157,12 @@ class Viewer {
         m_drawing.draw(m_gl, 0);
     }
 
+    void show() {
+        draw();
+        glfwSwapBuffers(m_window);
+        ++m_shown_at_size;
+    }
+
     void count_frame() {
         ++m_frames;
         const double now = glfwGetTime(), seconds = now - m_second_start;
@@ -181,8 +187,10 @@ class Viewer {
         std::fflush(stdout);
     }
 
-    // Draws anew: what a swap leaves behind is undefined.
+    // Draws anew: what a swap leaves behind is undefined. A drawable has its window's new size after the
+    // second swap at the latest.
     void save(const std::string& path) {
+        while (m_shown_at_size < 2) show();
         draw();
         std::vector<std::uint8_t> pixels(static_cast<std::size_t>(m_width) *
                                          static_cast<std::size_t>(m_height) * 3);
@@ -202,6 +210,7 @@ class Viewer {
     double m_mouse_x = 0, m_mouse_y = 0;
     double m_second_start = 0;
     int m_frames = 0, m_saved = 0;
+    unsigned m_shown_at_size = 2;  // frames; the window is made with the size that it shows first
 };
 
 }  // namespace
