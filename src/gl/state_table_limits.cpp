@@ -1,6 +1,7 @@
 // The table of what never changes in a context: limits, and the formats of the render target (GL 1.5
 // tables 6.31-6.35).
 #include "gl/bezier.h"
+#include "gl/block_compression.h"
 #include "gl/state_table.h"
 
 namespace terrazzo::gl {
@@ -48,6 +49,8 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_MAX_CUBE_MAP_TEXTURE_SIZE, [](Context&, Out& out) { out = kMaxCubeTextureSize; }},
     {GL_MAX_VIEWPORT_DIMS, [](Context&, Out& out) { out = std::array{kMaxViewportSize, kMaxViewportSize}; }},
     {GL_MAX_TEXTURE_LOD_BIAS, [](Context&, Out& out) { out = kMaxTextureLodBias; }},
+    {GL_NUM_COMPRESSED_TEXTURE_FORMATS, [](Context&, Out& out) { out = std::size(kOfferedBlockFormats); }},
+    {GL_COMPRESSED_TEXTURE_FORMATS, [](Context&, Out& out) { out = std::to_array(kOfferedBlockFormats); }},
     {GL_SUBPIXEL_BITS, [](Context&, Out& out) { out = kSubpixelBits; }},
     {GL_POINT_SIZE_RANGE, [](Context&, Out& out) { out = std::array{kMinPointSize, kMaxPointSize}; }},
     {GL_POINT_SIZE_GRANULARITY, [](Context&, Out& out) { out = kPointSizeGranularity; }},

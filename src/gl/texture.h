@@ -21,6 +21,7 @@
 namespace terrazzo::gl {
 
 struct Context;
+struct CompressedBlocks;
 
 // Indices of the texture targets in bindings and default objects. The later one has precedence when several
 // are enabled (GL 1.5 §3.8.15).
@@ -55,6 +56,7 @@ struct TextureLevel {
     GLint internal_format = 1;            // as the program named it
     const TexelFormat* format = nullptr;  // how texels are kept; null while nothing is specified
     pipeline::LevelImage image;           // null for an empty image and in proxies
+    std::shared_ptr<const CompressedBlocks> blocks;  // what the texels were decoded from; null where from none
 };
 
 using TextureLevels = std::array<TextureLevel, kMaxTextureLevels>;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <new>
 
+#include "gl/block_compression.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/mipmap.h"
@@ -74,7 +75,10 @@ Rule check_source(const Context& ctx, const TexelFormat& format) {
     return {};
 }
 
-void copy_tex_image(Context& ctx, GLenum target_name, const LevelSpec& spec, GLint x, GLint y) {
+void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, GLint y) {
+    if (spec.dimensions != 2 && find_block_format(static_cast<GLenum>(spec.internal_format)))
+        return record_error(ctx, GL_INVALID_ENUM, "no compressed format of images of so many dimensions");
+    spec.internal_format = without_compression(spec.internal_format);
     const ImageTarget target = find_image_target(ctx, target_name);
     if (!target.object || target.is_proxy || target.dimensions != spec.dimensions)
         return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");

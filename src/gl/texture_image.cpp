@@ -4,6 +4,7 @@
 // was and queued draws keep the image they refer to.
 #include <new>
 
+#include "gl/block_compression.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/mipmap.h"
@@ -17,7 +18,8 @@ void specify_proxy(const ImageTarget& target, const LevelSpec& spec, const Texel
     TextureLevel& level = target.level(spec.level);
     level = {};
     if (!is_supported_size(spec, target.is_cube()) || !is_supported_memory(spec, format)) return;
-    level = {spec.width, spec.height, spec.depth, spec.border, spec.internal_format, &format, nullptr};
+    level = {spec.width,           spec.height, spec.depth, spec.border,
+             spec.internal_format, &format,     nullptr,    nullptr};
 }
 
 // Whether the level's image can be filled anew instead of being replaced. Then nothing is allocated and
@@ -25,7 +27,8 @@ void specify_proxy(const ImageTarget& target, const LevelSpec& spec, const Texel
 bool can_refill(Context& ctx, const TextureLevel& level, const LevelSpec& spec, const TexelFormat& format) {
     ctx.drawing.state.fragment.reset();  // stale now, and it would count as a reference to the image
     return level.format == &format && level.width == spec.width && level.height == spec.height &&
-           level.depth == spec.depth && level.border == spec.border && level.image && !level.image.in_use();
+           level.depth == spec.depth && level.border == spec.border && level.image && !level.image.in_use() &&
+           !level.blocks;
 }
 
 void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spec, const TexelFormat& format,
@@ -54,7 +57,10 @@ Rule check_depth_target(const ImageTarget& target, const TexelFormat& format) {
     return {GL_INVALID_OPERATION, "there are no depth textures of this target"};
 }
 
-void tex_image(Context& ctx, GLenum target_name, const LevelSpec& spec, const ClientImage& client) {
+void tex_image(Context& ctx, GLenum target_name, LevelSpec spec, const ClientImage& client) {
+    if (spec.dimensions != 2 && find_block_format(static_cast<GLenum>(spec.internal_format)))
+        return record_error(ctx, GL_INVALID_ENUM, "no compressed format of images of so many dimensions");
+    spec.internal_format = without_compression(spec.internal_format);
     const ImageTarget target = find_image_target(ctx, target_name);
     if (!target.object || target.dimensions != spec.dimensions)
         return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "gl/block_compression.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/pixel_convert.h"
@@ -19,7 +20,9 @@ namespace {
 GLint component_size(const TextureLevel& level, size_t channel, std::initializer_list<GLenum> bases) {
     if (!level.format) return 0;
     const bool named = std::find(bases.begin(), bases.end(), level.format->base) != bases.end();
-    return named ? level.format->bits[channel] : 0;
+    if (!named) return 0;
+    // About what a block holds of each, as the reference puts it.
+    return level.blocks ? 4 : level.format->bits[channel];
 }
 
 // Whether `pname` is known; its value then is in `value`.
@@ -57,6 +60,10 @@ bool query_level(const TextureLevel& level, GLenum pname, GLint& value) {
             return true;
         case GL_TEXTURE_INTENSITY_SIZE:
             value = component_size(level, 0, {GL_INTENSITY});
+            return true;
+        case GL_TEXTURE_COMPRESSED:
+            value = find_block_format(static_cast<GLenum>(level.internal_format)) &&
+                    (level.blocks || !level.image);
             return true;
         case GL_TEXTURE_DEPTH_SIZE:
             value = component_size(level, 0, {GL_DEPTH_COMPONENT});
@@ -126,6 +133,12 @@ void get_tex_level_parameterfv(Context& ctx, GLenum target_name, GLint level, GL
     if (!is_level(level)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
     const auto lock = lock_textures(ctx);
     GLint value = 0;
+    if (pname == GL_TEXTURE_COMPRESSED_IMAGE_SIZE) {
+        const auto& blocks = target.level(level).blocks;
+        if (!blocks) return record_error(ctx, GL_INVALID_OPERATION, "the level's image is not compressed");
+        *params = static_cast<GLfloat>(blocks->bytes.size());
+        return;
+    }
     if (!query_level(target.level(level), pname, value)) {
         return record_error(ctx, GL_INVALID_ENUM, "unknown texture level parameter");
     }

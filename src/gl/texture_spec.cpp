@@ -133,7 +133,7 @@ Rule check_pixels_fit(GLenum client_format, const TexelFormat& format) {
 
 TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format) {
     TextureLevel level{spec.width,           spec.height, spec.depth, spec.border,
-                       spec.internal_format, &format,     nullptr};
+                       spec.internal_format, &format,     nullptr,    nullptr};
     const pipeline::TextureImage::Size size{spec.width - 2 * spec.border,
                                             spec.height - 2 * spec.border_y(),
                                             spec.depth - 2 * spec.border_z(),
@@ -156,6 +156,7 @@ bool contains(const TextureLevel& level, const LevelBox& box) {
 }
 
 pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
+    level.blocks.reset();
     // What the last draw derived is stale and would count as a reference to the image.
     ctx.drawing.state.fragment.reset();
     pipeline::TextureImage* image = level.image.writable();

@@ -75,7 +75,8 @@ def recorder(policy, command):
     arguments = "".join(f", {p.name}" for p in command.parameters)
     execute = f"ctx.dispatch.execute->{short}(&ctx{arguments})"
     lines = [f"void Compile::{short}(Context& ctx{named_parameters(command)}) {{"]
-    if "target" in arguments and any(is_image(p) for p in command.parameters):
+    makes_image = any(is_image(p) for p in command.parameters) or short.startswith("CompressedTexImage")
+    if "target" in arguments and makes_image:
         lines.append(f"    if (is_proxy_target(target)) return {execute};")
     lines.append("    record(ctx, [&](DisplayList& display_list) {")
     pointers = [p for p in command.parameters if p.is_pointer]

@@ -1,0 +1,126 @@
+// Decoding of S3TC blocks; see block_compression.h. Colours and alphas between the two that a block names are
+// the reference's, whose weights are 256ths (doc/reference.md §5).
+#include "gl/block_compression.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace terrazzo::gl {
+namespace {
+
+constexpr BlockFormat kFormats[] = {
+    {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_RGB, 8},
+    {GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, GL_RGBA, 8},
+    {GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, GL_RGBA, 16},
+    {GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, GL_RGBA, 16},
+};
+
+using Rgba = std::array<std::uint8_t, 4>;
+using Texels = std::array<Rgba, kBlockSize * kBlockSize>;
+
+// Little-endian, as the files and the specification have it.
+std::uint64_t little_endian(const std::byte* from, int bytes) {
+    std::uint64_t value = 0;
+    for (int i = bytes; i-- > 0;) value = value << 8 | std::to_integer<std::uint64_t>(from[i]);
+    return value;
+}
+
+std::uint8_t between(int from, int to, int weight) {
+    return static_cast<std::uint8_t>(from + ((weight * (to - from)) >> 8));
+}
+
+Rgba color_of_565(std::uint64_t c) {
+    const auto r = static_cast<unsigned>(c >> 11 & 31), g = static_cast<unsigned>(c >> 5 & 63),
+               b = static_cast<unsigned>(c & 31);
+    return {static_cast<std::uint8_t>(r << 3 | r >> 2), static_cast<std::uint8_t>(g << 2 | g >> 4),
+            static_cast<std::uint8_t>(b << 3 | b >> 2), 255};
+}
+
+// `always_four`: the order of the two colours says nothing, as in the formats with an alpha block.
+void decode_colors(const std::byte* block, bool always_four, bool has_alpha, Texels& out) {
+    const std::uint64_t c0 = little_endian(block, 2), c1 = little_endian(block + 2, 2);
+    const std::uint64_t bits = little_endian(block + 4, 4);
+    Rgba palette[4] = {color_of_565(c0), color_of_565(c1), {0, 0, 0, 255}, {0, 0, 0, 255}};
+    const bool four = always_four || c0 > c1;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int a = palette[0][c], b = palette[1][c];
+        palette[2][c] = four ? between(a, b, 85) : static_cast<std::uint8_t>((a + b + 1) >> 1);
+        if (four) palette[3][c] = between(a, b, 170);
+    }
+    if (!four && has_alpha) palette[3][3] = 0;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = palette[bits >> 2 * i & 3];
+}
+
+void decode_alpha_4_bits(const std::byte* block, Texels& out) {
+    const std::uint64_t bits = little_endian(block, 8);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i][3] = static_cast<std::uint8_t>((bits >> 4 * i & 15) * 17);
+}
+
+void decode_alpha_ramp(const std::byte* block, Texels& out) {
+    constexpr int kSevenths[] = {36, 72, 109, 145, 182, 218}, kFifths[] = {51, 102, 153, 204};
+    const int a = std::to_integer<int>(block[0]), b = std::to_integer<int>(block[1]);
+    std::array<std::uint8_t, 8> ramp{
+        static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), 0, 0, 0, 0, 0, 255};
+    if (a > b)
+        std::transform(std::begin(kSevenths), std::end(kSevenths), ramp.begin() + 2,
+                       [&](int weight) { return between(a, b, weight); });
+    else
+        std::transform(std::begin(kFifths), std::end(kFifths), ramp.begin() + 2,
+                       [&](int weight) { return between(a, b, weight); });
+    const std::uint64_t bits = little_endian(block + 2, 6);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i][3] = ramp[bits >> 3 * i & 7];
+}
+
+void decode_block(const BlockFormat& format, const std::byte* block, Texels& out) {
+    const bool has_alpha_block = format.block_bytes == 16;
+    decode_colors(has_alpha_block ? block + 8 : block, has_alpha_block, format.base == GL_RGBA, out);
+    if (format.name == GL_COMPRESSED_RGBA_S3TC_DXT3_EXT) decode_alpha_4_bits(block, out);
+    if (format.name == GL_COMPRESSED_RGBA_S3TC_DXT5_EXT) decode_alpha_ramp(block, out);
+}
+
+}  // namespace
+
+const BlockFormat* find_block_format(GLenum name) {
+    const auto found = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                    [&](const BlockFormat& format) { return format.name == name; });
+    return found == std::end(kFormats) ? nullptr : found;
+}
+
+GLint without_compression(GLint internal_format) {
+    if (const BlockFormat* format = find_block_format(static_cast<GLenum>(internal_format)))
+        return static_cast<GLint>(format->base);
+    switch (internal_format) {
+        case GL_COMPRESSED_ALPHA:
+            return GL_ALPHA;
+        case GL_COMPRESSED_LUMINANCE:
+            return GL_LUMINANCE;
+        case GL_COMPRESSED_LUMINANCE_ALPHA:
+            return GL_LUMINANCE_ALPHA;
+        case GL_COMPRESSED_INTENSITY:
+            return GL_INTENSITY;
+        case GL_COMPRESSED_RGB:
+            return GL_RGB;
+        case GL_COMPRESSED_RGBA:
+            return GL_RGBA;
+    }
+    return internal_format;
+}
+
+void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width, int height, int x, int y,
+                   pipeline::TextureImage& image) {
+    Texels texels;
+    for (int top = 0; top < height; top += kBlockSize) {
+        for (int left = 0; left < width; left += kBlockSize, blocks += format.block_bytes) {
+            decode_block(format, blocks, texels);
+            const int columns = std::min(kBlockSize, image.width - (x + left));
+            const int rows = std::min(kBlockSize, image.height - (y + top));
+            for (int row = 0; row < rows; ++row)
+                std::memcpy(image.rgba8(x + left, y + top + row), texels.data() + kBlockSize * row,
+                            static_cast<std::size_t>(columns) * sizeof(Rgba));
+        }
+    }
+}
+
+}  // namespace terrazzo::gl
