@@ -62,6 +62,7 @@ struct SavedAttributes {
     std::optional<LineState> line;
     std::optional<GLuint> list_base;
     std::optional<PixelModeGroup> pixel_mode;
+    std::optional<MultisampleState> multisample;
     std::optional<PointState> point;
     std::optional<PolygonState> polygon;
     std::optional<PolygonStipple> polygon_stipple;
@@ -93,6 +94,10 @@ void for_each_enable(Context& ctx, Visit visit) {
                        &ctx.lighting.color_material.enabled,
                        &ctx.matrix.transform.normalize,
                        &ctx.matrix.transform.rescale_normal,
+                       &ctx.rasterization.multisample.enabled,
+                       &ctx.rasterization.multisample.alpha_to_coverage,
+                       &ctx.rasterization.multisample.alpha_to_one,
+                       &ctx.rasterization.multisample.coverage,
                        &ctx.rasterization.point.smooth,
                        &ctx.rasterization.point.sprite,
                        &ctx.rasterization.line.smooth,
@@ -180,6 +185,7 @@ std::shared_ptr<const SavedAttributes> save(Context& ctx, GLbitfield mask) {
     if (mask & GL_LINE_BIT) saved->line = ctx.rasterization.line;
     if (mask & GL_LIST_BIT) saved->list_base = ctx.lists.base;
     if (mask & GL_PIXEL_MODE_BIT) saved->pixel_mode = {ctx.pixels.mode, ctx.framebuffer.read_buffer};
+    if (mask & GL_MULTISAMPLE_BIT) saved->multisample = ctx.rasterization.multisample;
     if (mask & GL_POINT_BIT) saved->point = ctx.rasterization.point;
     if (mask & GL_POLYGON_BIT) saved->polygon = ctx.rasterization.polygon;
     if (mask & GL_POLYGON_STIPPLE_BIT) saved->polygon_stipple = ctx.rasterization.polygon_stipple;
@@ -220,6 +226,7 @@ void restore(Context& ctx, const SavedAttributes& saved) {
         ctx.pixels.mode = saved.pixel_mode->mode;
         ctx.framebuffer.read_buffer = saved.pixel_mode->read_buffer;
     }
+    if (saved.multisample) ctx.rasterization.multisample = *saved.multisample;
     if (saved.point) ctx.rasterization.point = *saved.point;
     if (saved.polygon) ctx.rasterization.polygon = *saved.polygon;
     if (saved.polygon_stipple) ctx.rasterization.polygon_stipple = *saved.polygon_stipple;

@@ -71,6 +71,14 @@ Capability find_capability(Context& ctx, GLenum cap) {
             return {&ctx.rasterization.point.smooth, Dirty::kRasterization};
         case GL_POINT_SPRITE:
             return {&ctx.rasterization.point.sprite, Dirty::kRasterization};
+        case GL_MULTISAMPLE:
+            return {&ctx.rasterization.multisample.enabled, Dirty::kRasterization};
+        case GL_SAMPLE_ALPHA_TO_COVERAGE:
+            return {&ctx.rasterization.multisample.alpha_to_coverage, Dirty::kRasterization};
+        case GL_SAMPLE_ALPHA_TO_ONE:
+            return {&ctx.rasterization.multisample.alpha_to_one, Dirty::kRasterization};
+        case GL_SAMPLE_COVERAGE:
+            return {&ctx.rasterization.multisample.coverage, Dirty::kRasterization};
         case GL_LINE_SMOOTH:
             return {&ctx.rasterization.line.smooth, Dirty::kRasterization};
         case GL_LINE_STIPPLE:

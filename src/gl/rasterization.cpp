@@ -43,6 +43,12 @@ void point_parameterfv(Context& ctx, GLenum pname, const GLfloat* params) {
     change(ctx, Dirty::kRasterization, *value, *params);
 }
 
+void sample_coverage(Context& ctx, GLfloat value, GLboolean invert) {
+    MultisampleState& state = ctx.rasterization.multisample;
+    state.coverage_value = value > 0 ? std::min(value, 1.0f) : 0.0f;
+    state.coverage_invert = invert != GL_FALSE;
+}
+
 void line_width(Context& ctx, GLfloat width) {
     if (!(width > 0)) return record_error(ctx, GL_INVALID_VALUE, "width is not positive");
     change(ctx, Dirty::kRasterization, ctx.rasterization.line.width, width);

@@ -54,7 +54,16 @@ struct PolygonStipple {
     std::array<std::uint32_t, 32> rows;
 };
 
+// GL 1.5 §3.2.1, §4.1.3. No render target has samples, so that none of it has an effect.
+struct MultisampleState {
+    bool enabled = true;
+    bool alpha_to_coverage = false, alpha_to_one = false, coverage = false;
+    GLfloat coverage_value = 1;
+    bool coverage_invert = false;
+};
+
 struct RasterizationState {
+    MultisampleState multisample;
     PointState point;
     LineState line;
     PolygonState polygon;

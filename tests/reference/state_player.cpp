@@ -36,6 +36,10 @@ const Enumerants kCapabilities = {TERRAZZO_E(GL_ALPHA_TEST),
                                   TERRAZZO_E(GL_LIGHTING),
                                   TERRAZZO_E(GL_LINE_SMOOTH),
                                   TERRAZZO_E(GL_LINE_STIPPLE),
+                                  TERRAZZO_E(GL_MULTISAMPLE),
+                                  TERRAZZO_E(GL_SAMPLE_ALPHA_TO_COVERAGE),
+                                  TERRAZZO_E(GL_SAMPLE_ALPHA_TO_ONE),
+                                  TERRAZZO_E(GL_SAMPLE_COVERAGE),
                                   TERRAZZO_E(GL_NORMALIZE),
                                   TERRAZZO_E(GL_POINT_SMOOTH),
                                   TERRAZZO_E(GL_POINT_SPRITE),
@@ -711,6 +715,11 @@ const Command kCommands[] = {
          const GLint value = static_cast<GLint>(p.pick(5)) - 1;
          p.note(std::to_string(value));
          p.gl().TexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, value);
+     }},
+    {"glSampleCoverage",
+     [](Player& p) {
+         const GLfloat value = p.number();
+         p.gl().SampleCoverage(value, p.flag());
      }},
     {"glLineWidth", [](Player& p) { p.gl().LineWidth(p.number()); }},
     {"glLineStipple",

@@ -150,6 +150,14 @@ const Group kGroups[] = {
          gl.LineStipple(7, 0x1234);
      }},
     {GL_LIST_BIT, "list", [](auto& gl) { gl.ListBase(9); }},
+    {GL_MULTISAMPLE_BIT, "multisample",
+     [](auto& gl) {
+         gl.Disable(GL_MULTISAMPLE);
+         gl.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+         gl.Enable(GL_SAMPLE_ALPHA_TO_ONE);
+         gl.Enable(GL_SAMPLE_COVERAGE);
+         gl.SampleCoverage(0.5f, GL_TRUE);
+     }},
     {GL_PIXEL_MODE_BIT, "pixel mode", [](auto& gl) { gl.ReadBuffer(GL_LEFT); }},
     {GL_POINT_BIT, "point",
      [](auto& gl) {
