@@ -166,7 +166,7 @@ std::int16_t clear_value(float component) {
 }
 
 bool has_accumulation(const Context& ctx) {
-    return ctx.config.accum_bits != 0 && ctx.surface.draw && ctx.surface.width != 0;
+    return ctx.config.accum_bits != 0 && !ctx.framebuffers.draw && ctx.surface.draw && ctx.surface.width != 0;
 }
 
 }  // namespace

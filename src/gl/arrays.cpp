@@ -100,6 +100,7 @@ void draw_copied(Context& ctx, GLenum mode, const pipeline::VertexRange& range, 
 }
 
 void draw_range(Context& ctx, GLenum mode, const pipeline::VertexRange& range) {
+    if (!check_framebuffer(ctx)) return;
     flush_vertices(ctx);
     const EnabledArrays arrays(ctx);
     if (arrays.any_mapped()) return record_error(ctx, GL_INVALID_OPERATION, "an array's buffer is mapped");

@@ -114,6 +114,7 @@ void draw_bitmap(Context& ctx, GLsizei width, GLsizei height, int x, int y, cons
 void bitmap(Context& ctx, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
             GLfloat ymove, const GLubyte* bitmap) {
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
+    if (!check_framebuffer(ctx)) return;
     RasterPosition& position = ctx.raster_position;
     if (!position.valid) return;
     if (ctx.render_mode.mode != GL_RENDER) {

@@ -69,6 +69,7 @@ size_t element_size(GLenum type) {
         case GL_UNSIGNED_INT:
         case GL_INT:
         case GL_FLOAT:
+        case GL_UNSIGNED_INT_24_8:
             return 4;
         default:
             break;
@@ -94,7 +95,8 @@ Rule check_client_pixel(GLenum format, GLenum type) {
         if (is_index_format(format)) return {};
         return {GL_INVALID_ENUM, "GL_BITMAP needs an index format"};
     }
-    if (element_size(type) == 0) return {GL_INVALID_ENUM, "unknown pixel type"};
+    if (element_size(type) == 0 || type == GL_UNSIGNED_INT_24_8)
+        return {GL_INVALID_ENUM, "unknown pixel type"};
     return {};
 }
 

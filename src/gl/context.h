@@ -21,6 +21,7 @@
 #include "gl/fog.h"
 #include "gl/fragment_ops.h"
 #include "gl/framebuffer.h"
+#include "gl/framebuffer_object.h"
 #include "gl/hints.h"
 #include "gl/lighting.h"
 #include "gl/lists.h"
@@ -72,6 +73,7 @@ struct Context {
     FogState fog;
     FragmentOpsState fragment_ops;
     FramebufferState framebuffer;
+    FramebufferBindings framebuffers;
     PixelState pixels;
     QueryState queries;
     HintState hints;

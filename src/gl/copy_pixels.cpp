@@ -102,6 +102,9 @@ void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
     if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL)
         return record_error(ctx, GL_INVALID_ENUM, "type is not GL_COLOR, GL_DEPTH or GL_STENCIL");
+    if (!check_framebuffer(ctx) || !check_read_framebuffer(ctx)) return;
+    if (type == GL_COLOR && has_read_source(ctx) && !ctx.surface.read->target()->has_color())
+        return record_error(ctx, GL_INVALID_OPERATION, "there is no colour buffer");
     if (!is_there(ctx, type)) return record_error(ctx, GL_INVALID_OPERATION, "there is no such buffer");
     if (!ctx.raster_position.valid || !has_read_source(ctx)) return;
     if (ctx.render_mode.mode != GL_RENDER) return capture_raster(ctx, GL_COPY_PIXEL_TOKEN);

@@ -45,6 +45,7 @@ void clear(Context& ctx, GLbitfield mask) {
     constexpr GLbitfield kBuffers =
         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
     if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
+    if (!check_framebuffer(ctx)) return;
     flush_vertices(ctx);
     if (ctx.render_mode.mode != GL_RENDER) return;
     if (mask & GL_ACCUM_BUFFER_BIT) clear_accumulation(ctx);
@@ -55,7 +56,7 @@ void clear(Context& ctx, GLbitfield mask) {
     for (unsigned c = 0; c < 4; ++c) clear.color_mask |= static_cast<std::uint8_t>(color.write_mask[c] << c);
     clear.stencil_mask = static_cast<std::uint8_t>(ctx.fragment_ops.stencil.write_mask);
     clear.planes.color =
-        (mask & GL_COLOR_BUFFER_BIT) && ctx.framebuffer.draw_buffer != GL_NONE && clear.color_mask != 0;
+        (mask & GL_COLOR_BUFFER_BIT) && draws_colors(ctx) && clear.color_mask != 0;
     clear.planes.depth =
         (mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits != 0 && ctx.fragment_ops.depth.write_mask;
     clear.planes.stencil =

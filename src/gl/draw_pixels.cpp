@@ -139,6 +139,7 @@ Rule check_buffer(const raster::TargetFormat& target, GLenum format) {
 void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,
                  const void* pixels) {
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
+    if (!check_framebuffer(ctx)) return;
     Rule rule = check_client_pixel(format, type);
     if (rule.code == GL_NO_ERROR) rule = check_buffer(ctx.surface.format, format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);

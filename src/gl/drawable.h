@@ -73,6 +73,7 @@ class Drawable {
     virtual void show_front(Context&) {}
 
   protected:
+    void set_target(std::shared_ptr<raster::Target> target) { m_target = std::move(target); }
     // Fills the selected buffer with what the front end shows; called when the front buffer's pixels are
     // made.
     virtual void load_front() {}

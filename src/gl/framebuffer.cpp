@@ -11,7 +11,7 @@ namespace terrazzo::gl {
 namespace {
 
 // GL_INVALID_ENUM for what is no buffer, GL_INVALID_OPERATION for buffers that are not there (GL 1.5 §4.2.1).
-GLenum check_buffer(const Context& ctx, GLenum buffer) {
+GLenum check_window_buffer(const Context& ctx, GLenum buffer) {
     switch (buffer) {
         case GL_FRONT:
         case GL_LEFT:
@@ -19,7 +19,7 @@ GLenum check_buffer(const Context& ctx, GLenum buffer) {
             return GL_NO_ERROR;
         case GL_BACK:
         case GL_BACK_LEFT: {
-            const Drawable* drawable = ctx.surface.draw.get();
+            const Drawable* drawable = ctx.framebuffers.window_draw.get();
             const bool there =
                 drawable ? drawable->buffering() != Buffering::kSingle : ctx.config.double_buffered;
             return there ? GL_NO_ERROR : GL_INVALID_OPERATION;
@@ -34,6 +34,16 @@ GLenum check_buffer(const Context& ctx, GLenum buffer) {
             return GL_INVALID_OPERATION;
     }
     return GL_INVALID_ENUM;
+}
+
+// A frame buffer object has one of its own and GL_NONE, and none of the window system's.
+GLenum check_buffer(const Context& ctx, GLenum buffer, const Framebuffer* object) {
+    constexpr GLenum kAttachmentNames = 16;
+    if (buffer - GL_COLOR_ATTACHMENT0 < kAttachmentNames)
+        return object && buffer == GL_COLOR_ATTACHMENT0 ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    if (object && buffer == GL_NONE) return GL_NO_ERROR;
+    const GLenum error = check_window_buffer(ctx, buffer);
+    return object && error == GL_NO_ERROR ? GLenum{GL_INVALID_OPERATION} : error;
 }
 
 // Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer stands for them.
@@ -103,8 +113,9 @@ void clear_accum(Context& ctx, GLfloat red, GLfloat green, GLfloat blue, GLfloat
 }
 
 void draw_buffer(Context& ctx, GLenum buf) {
-    const bool none_or_several = buf == GL_NONE || buf == GL_FRONT_AND_BACK;
-    if (const GLenum error = none_or_several ? GL_NO_ERROR : check_buffer(ctx, buf)) {
+    const Framebuffer* const object = ctx.framebuffers.draw.get();
+    const bool none_or_several = buf == GL_NONE || (buf == GL_FRONT_AND_BACK && !object);
+    if (const GLenum error = none_or_several ? GL_NO_ERROR : check_buffer(ctx, buf, object)) {
         return record_error(ctx, error, "no such draw buffer");
     }
     select_draw_buffer(ctx, buf);
@@ -121,7 +132,8 @@ void select_draw_buffer(Context& ctx, GLenum buffer) {
 }
 
 void read_buffer(Context& ctx, GLenum src) {
-    if (const GLenum error = check_buffer(ctx, src)) return record_error(ctx, error, "no such read buffer");
+    if (const GLenum error = check_buffer(ctx, src, ctx.framebuffers.read.get()))
+        return record_error(ctx, error, "no such read buffer");
     ctx.framebuffer.read_buffer = src;
 }
 

@@ -94,6 +94,7 @@ void play_primitives(Context& ctx, const PrimitivesRecord& record) {
         return record_error(ctx, GL_INVALID_OPERATION,
                             "vertex arrays are not drawn between glBegin and glEnd");
     }
+    if (!check_framebuffer(ctx)) return;
     if (ctx.vertex.open) {
         play_calls(ctx, record);
     } else {

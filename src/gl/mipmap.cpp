@@ -248,6 +248,7 @@ void update_mipmap(const ImageTarget& target, GLint level) {
 void generate_mipmap(Context& ctx, GLenum target) {
     TextureObject* const object = bound_texture(ctx, target);
     if (!object) return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
+    settle_framebuffers(ctx);
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
     const int base = object->parameters.base_level;

@@ -50,6 +50,7 @@ void fill_varyings(const RasterPosition& position, const raster::Varyings& varyi
 }  // namespace
 
 void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect& rect) {
+    if (!check_framebuffer(ctx)) return;
     flush_vertices(ctx);
     validate_raster(ctx, image);
     // The reference's quad goes through a viewport of its own: these are its roundings.

@@ -138,6 +138,9 @@ Rule check_buffers(const Context& ctx, GLenum format) {
     if (!has_read_source(ctx)) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
     const raster::TargetFormat& source = ctx.surface.read->target()->format();
     if (format == GL_COLOR_INDEX) return {GL_INVALID_OPERATION, "the frame buffer holds no colour indices"};
+    if (is_color_format(format) && !ctx.surface.read->target()->has_color()) {
+        return {GL_INVALID_OPERATION, "there is no colour buffer"};
+    }
     if (format == GL_DEPTH_COMPONENT && source.depth_bits == 0) {
         return {GL_INVALID_OPERATION, "there is no depth buffer"};
     }
@@ -152,6 +155,7 @@ Rule check_buffers(const Context& ctx, GLenum format) {
 void read_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
                  void* pixels) {
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
+    if (!check_read_framebuffer(ctx)) return;
     Rule rule = check_client_pixel(format, type);
     if (rule.code == GL_NO_ERROR) rule = check_buffers(ctx, format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);

@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "gl/buffers.h"
+#include "gl/framebuffer_object.h"
 #include "gl/name_ranges.h"
 #include "gl/texture.h"
 
@@ -24,6 +25,7 @@ struct ShareGroup {
     std::map<GLuint, std::shared_ptr<const DisplayList>> lists;  // those that are not empty
     TextureNames textures;
     BufferNames buffers;
+    RenderbufferNames renderbuffers;
 };
 
 }  // namespace terrazzo::gl

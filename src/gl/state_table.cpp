@@ -106,6 +106,12 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
 
         // Textures
         {GL_ACTIVE_TEXTURE, [](Context& c, Out& out) { out = GL_TEXTURE0 + c.texture.active_unit; }},
+        {GL_FRAMEBUFFER_BINDING,
+         [](Context& c, Out& out) { out = c.framebuffers.draw ? c.framebuffers.draw->name() : 0; }},
+        {GL_READ_FRAMEBUFFER_BINDING,
+         [](Context& c, Out& out) { out = c.framebuffers.read ? c.framebuffers.read->name() : 0; }},
+        {GL_RENDERBUFFER_BINDING,
+         [](Context& c, Out& out) { out = c.framebuffers.renderbuffer ? c.framebuffers.renderbuffer->name : 0; }},
         {GL_TEXTURE_BINDING_1D, [](Context& c, Out& out) { out = texture_name(c, kTexture1D); }},
         {GL_TEXTURE_BINDING_2D, [](Context& c, Out& out) { out = texture_name(c, kTexture2D); }},
         {GL_TEXTURE_BINDING_3D, [](Context& c, Out& out) { out = texture_name(c, kTexture3D); }},

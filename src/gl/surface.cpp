@@ -22,7 +22,9 @@ void use_target(Context& ctx, Drawable* drawable) {
     surface.width = target ? target->width() : 0;
     surface.height = target ? target->height() : 0;
     surface.format = target ? target->format() : raster::TargetFormat{};
-    if (!target || std::exchange(ctx.framebuffer.has_met_drawable, true)) return;
+    if (!target || drawable != ctx.framebuffers.window_draw.get() ||
+        std::exchange(ctx.framebuffer.has_met_drawable, true))
+        return;
     viewport(ctx, 0, 0, target->width(), target->height());
     scissor(ctx, 0, 0, target->width(), target->height());
 }
@@ -31,9 +33,25 @@ void use_target(Context& ctx, Drawable* drawable) {
 
 void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_ptr<Drawable> read) {
     finish_drawing(ctx);
-    use_target(ctx, draw.get());
-    ctx.surface.draw = std::move(draw);
-    ctx.surface.read = std::move(read);
+    FramebufferBindings& bindings = ctx.framebuffers;
+    const auto window_before = bindings.window_draw;
+    bindings.window_draw = draw;
+    if (!bindings.draw) {
+        try {
+            use_target(ctx, draw.get());
+        } catch (...) {
+            bindings.window_draw = window_before;
+            throw;
+        }
+        ctx.surface.draw = draw;
+    }
+    bindings.window_read = read;
+    if (!bindings.read) ctx.surface.read = std::move(read);
+}
+
+void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable) {
+    use_target(ctx, drawable.get());
+    ctx.surface.draw = std::move(drawable);
 }
 
 void follow_drawables(Context& ctx) {

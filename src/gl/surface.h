@@ -29,6 +29,9 @@ struct Surface {
 // std::bad_alloc and changes nothing then.
 void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_ptr<Drawable> read);
 
+// Makes a drawable, or none, the one that is drawn to while a frame buffer object is bound or has been left.
+void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable);
+
 // To be called when a drawable of the context may have other buffers than before.
 void follow_drawables(Context& ctx);
 

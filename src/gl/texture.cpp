@@ -158,6 +158,7 @@ void delete_textures(Context& ctx, GLsizei n, const GLuint* textures) {
     TextureNames& names = ctx.shared->textures;
     for (GLsizei i = 0; i < n; ++i) {
         if (const TextureObject* object = find_object(names, textures[i])) {
+            detach_texture(ctx, object);
             const size_t target = target_index(object->target);
             for (TextureUnit& unit : ctx.texture.units) {
                 if (unit.bound[target].get() == object) unit.bound[target] = names.defaults[target];

@@ -72,6 +72,8 @@ Rule check_source(const Context& ctx, const TexelFormat& format) {
     if (!has_read_source(ctx)) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
     if (format.base == GL_DEPTH_COMPONENT && ctx.surface.read->target()->format().depth_bits == 0)
         return {GL_INVALID_OPERATION, "there is no depth buffer"};
+    if (format.base != GL_DEPTH_COMPONENT && !ctx.surface.read->target()->has_color())
+        return {GL_INVALID_OPERATION, "there is no colour buffer"};
     return {};
 }
 
@@ -92,6 +94,7 @@ void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, G
     if (!is_supported_size(spec, target.is_cube()))
         return record_error(ctx, GL_INVALID_VALUE, "the size is not supported");
     if (!is_supported_memory(spec, *format)) throw std::bad_alloc();
+    if (!check_read_framebuffer(ctx)) return;
     if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
     if (format->base == GL_DEPTH_COMPONENT && target.is_cube())
@@ -118,6 +121,7 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     begin_change(ctx, Dirty::kTexture);
     const TexelFormat* const format = target.level(level_number).format;
     if (!format) return record_error(ctx, GL_INVALID_OPERATION, "the level has no image");
+    if (!check_read_framebuffer(ctx)) return;
     if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
     const ReadSource source(ctx);

@@ -164,6 +164,8 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_form
         case GL_DEPTH_COMPONENT:
             return choose_depth(client_type, swap_bytes);
         case GL_DEPTH_COMPONENT24:
+        case GL_DEPTH_STENCIL:
+        case GL_DEPTH24_STENCIL8:
             return &kDepth24;
         case GL_DEPTH_COMPONENT32:
             return &kDepth32;

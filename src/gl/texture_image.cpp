@@ -41,6 +41,7 @@ void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spe
     const auto lock = lock_textures(ctx);
     TextureLevel& level = target.level(spec.level);
     if (client.pixels && can_refill(ctx, level, spec, format)) {
+        level.image->content_changes();
         upload(ctx.pixels, client, format, all, spec.dimensions, *level.image);
         level.internal_format = spec.internal_format;
         return update_mipmap(target, spec.level);

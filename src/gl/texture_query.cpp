@@ -152,7 +152,8 @@ void get_tex_image(Context& ctx, GLenum target_name, GLint level_number, GLenum 
         return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
     if (!is_level(level_number)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
     Rule rule = check_texture_pixels(format, type);
-    if (format == GL_COLOR_INDEX) rule = {GL_INVALID_ENUM, "textures hold no colour indices"};
+    if (format == GL_COLOR_INDEX || format == GL_DEPTH_STENCIL)
+        rule = {GL_INVALID_ENUM, "textures give no such pixels"};
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     const auto lock = lock_textures(ctx);
     const TextureLevel& level = target.level(level_number);

@@ -121,13 +121,19 @@ bool is_supported_memory(const LevelSpec& spec, const TexelFormat& format) {
 }
 
 Rule check_texture_pixels(GLenum format, GLenum type) {
+    if (format == GL_DEPTH_STENCIL) {
+        if (type == GL_UNSIGNED_INT_24_8) return {};
+        return {GL_INVALID_ENUM, "depth and stencil come as GL_UNSIGNED_INT_24_8"};
+    }
     if (const Rule rule = check_client_pixel(format, type); rule.code != GL_NO_ERROR) return rule;
     if (format == GL_STENCIL_INDEX) return {GL_INVALID_ENUM, "stencil indices are no texels"};
     return {};
 }
 
 Rule check_pixels_fit(GLenum client_format, const TexelFormat& format) {
-    if ((client_format == GL_DEPTH_COMPONENT) == (format.base == GL_DEPTH_COMPONENT)) return {};
+    if ((client_format == GL_DEPTH_COMPONENT || client_format == GL_DEPTH_STENCIL) ==
+        (format.base == GL_DEPTH_COMPONENT))
+        return {};
     return {GL_INVALID_OPERATION, "depth pixels belong to depth textures, and no others do"};
 }
 

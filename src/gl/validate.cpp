@@ -328,7 +328,7 @@ void make_blending(const Context& ctx, raster::FragmentState& out) {
     out.has_destination_alpha = target.has_alpha;
     key.color_mask = 0;
     for (std::size_t c = 0; c < 4; ++c) key.color_mask |= static_cast<std::uint8_t>(color.write_mask[c] << c);
-    if (ctx.framebuffer.draw_buffer == GL_NONE) key.color_mask = 0;
+    if (!draws_colors(ctx)) key.color_mask = 0;
     const bool integers = target.color != raster::ColorFormat::kRgba32F;
     key.logic_op = color.logic_op.color_enabled && integers && color.logic_op.op != GL_COPY;
     out.logic_op = translate_logic_op(color.logic_op.op);

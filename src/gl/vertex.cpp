@@ -218,6 +218,7 @@ void vertex4f_slowly(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) n
 
 void begin(Context& ctx, GLenum mode) {
     if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
+    if (!check_framebuffer(ctx)) return;
     ctx.vertex.mode = mode;
     ctx.vertex.open_first = ctx.vertex.batch.count;
     ctx.vertex.open = true;

@@ -10,10 +10,15 @@ namespace terrazzo::pipeline {
 
 namespace {
 std::atomic<size_t> abandoned{0};
+std::atomic<uint64_t> contents{0};
 }  // namespace
 
 size_t TextureImage::abandoned_bytes() {
     return abandoned.load(std::memory_order_relaxed);
+}
+
+void TextureImage::content_changes() {
+    m_content = 1 + contents.fetch_add(1, std::memory_order_relaxed);
 }
 
 void TextureImage::abandon() {
@@ -44,6 +49,7 @@ std::shared_ptr<TextureImage> TextureImage::create(const Size& size, TexelStorag
     image->pitch = image->stored_width();
     image->m_memory = raster::ZeroedMemory(image->size_in_bytes() + 2 * kPaddingBytes);
     if (image->m_memory.data() == nullptr) return nullptr;
+    image->content_changes();
     image->m_texels = static_cast<uint8_t*>(image->m_memory.data()) + kPaddingBytes;
     return image;
 }
@@ -61,6 +67,7 @@ TextureImage* LevelImage::writable() {
         if (!copy) return nullptr;
         *this = std::move(copy);
     }
+    m_image->content_changes();
     return m_image.get();
 }
 

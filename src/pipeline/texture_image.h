@@ -89,6 +89,10 @@ struct TextureImage {
     TexelStorage storage = TexelStorage::kRgba8;
     BaseFormat base_format = BaseFormat::kRgba;
 
+    // Names the texels: another number after each change of them, in no two images the same.
+    uint64_t content() const { return m_content; }
+    void content_changes();
+
   private:
     ptrdiff_t index(int x, int y, int z) const {
         return static_cast<ptrdiff_t>(z + border_z) * slice() + static_cast<ptrdiff_t>(y + border_y) * pitch +
@@ -102,6 +106,7 @@ struct TextureImage {
     raster::ZeroedMemory m_memory;
     uint8_t* m_texels = nullptr;  // the first stored texel, 64-byte aligned, inside m_memory
     bool m_abandoned = false;
+    uint64_t m_content = 0;
 };
 
 // A texture level's hold of its image, the only one besides those of queued draws.

@@ -13,30 +13,64 @@
 namespace terrazzo::raster {
 
 template <class T>
-Target::Plane<T>::Plane(size_t count) : m_memory(count * sizeof(T)) {
-    if (m_memory.data() == nullptr) throw std::bad_alloc();
+Target::Plane<T>::Plane(size_t count) : m_memory(std::make_shared<ZeroedMemory>(count * sizeof(T))) {
+    if (m_memory->data() == nullptr) throw std::bad_alloc();
 }
 
-Target::Target(int width, int height, TargetFormat format)
+Target::Target(int width, int height, TargetFormat format, std::nullptr_t)
     : m_width(width),
       m_height(height),
       m_bins_across((width + kBinSize - 1) / kBinSize),
       m_bins_up((height + kBinSize - 1) / kBinSize),
-      m_format(format) {
+      m_format(format),
+      m_states(static_cast<size_t>(bin_count())) {}
+
+void Target::allocate_depth_and_stencil() {
     const size_t bins = static_cast<size_t>(bin_count()), pixels = bins * kBinPixels;
-    m_color = Plane<std::byte>(color_bytes());
-    if (format.depth_bits != 0) {
+    if (m_format.depth_bits != 0) {
         m_depth = Plane<uint32_t>(pixels);
         m_farthest = Plane<float>(bins * kBinTiles);
     }
-    if (format.stencil_bits != 0) m_stencil = Plane<uint8_t>(pixels);
-    m_states.resize(static_cast<size_t>(bin_count()));
+    if (m_format.stencil_bits != 0) m_stencil = Plane<uint8_t>(pixels);
+}
+
+Target::Target(int width, int height, TargetFormat format) : Target(width, height, format, nullptr) {
+    m_color = Plane<std::byte>(color_bytes());
+    allocate_depth_and_stencil();
     for (int i = 0; i < bin_count(); ++i) clear_bin(i, {true, true, true}, {});
+}
+
+Target::Target(int width, int height, TargetFormat format, const SharedPlanes& planes)
+    : Target(width, height, format, nullptr) {
+    if (planes.color) m_color = planes.color->m_color;
+    if (planes.depth) {
+        m_depth = planes.depth->m_depth;
+        m_farthest = Plane<float>(static_cast<size_t>(bin_count()) * kBinTiles);
+    }
+    if (planes.stencil) m_stencil = planes.stencil->m_stencil;
+}
+
+Target Target::depth_and_stencil(int width, int height, TargetFormat format) {
+    Target target(width, height, format, nullptr);
+    target.allocate_depth_and_stencil();
+    target.start_over();
+    return target;
+}
+
+void Target::settle() {
+    for (int i = 0; i < bin_count(); ++i) materialize(i);
+}
+
+void Target::start_over() {
+    for (int i = 0; i < bin_count(); ++i) {
+        state(i).pending = {};
+        forget_farthest(i);
+    }
 }
 
 Bin Target::bin(int index) {
     const size_t first = static_cast<size_t>(index) * kBinPixels;
-    return {m_color.get() + first * static_cast<size_t>(bytes_per_pixel(m_format.color)),
+    return {m_color ? m_color.get() + first * static_cast<size_t>(bytes_per_pixel(m_format.color)) : nullptr,
             m_depth ? m_depth.get() + first : nullptr,
             m_stencil ? m_stencil.get() + first : nullptr,
             m_farthest ? m_farthest.get() + static_cast<size_t>(index) * kBinTiles : nullptr,
@@ -47,7 +81,7 @@ Bin Target::bin(int index) {
 
 void Target::clear_bin(int index, ClearPlanes planes, const ClearValues& values) {
     BinState& bin = state(index);
-    if (planes.color) {
+    if (planes.color && m_color) {
         bin.pending.color = true;
         std::copy_n(values.color, 4, bin.clear.color);
     }
@@ -92,7 +126,8 @@ void Target::materialize(int index, ClearPlanes wanted) {
 }
 
 size_t Target::color_bytes() const {
-    return static_cast<size_t>(bin_count()) * kBinPixels * static_cast<size_t>(bytes_per_pixel(m_format.color));
+    return static_cast<size_t>(bin_count()) * kBinPixels *
+           static_cast<size_t>(bytes_per_pixel(m_format.color));
 }
 
 void Target::exchange_color() {

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "raster/state.h"
@@ -84,13 +85,32 @@ struct Bin {
     BinState* state;
 };
 
+class Target;
+
+// Planes that a target has in common with others of its size.
+struct SharedPlanes {
+    const Target* color = nullptr;  // null: no colour plane; nothing may be drawn to it
+    const Target* depth = nullptr;
+    const Target* stencil = nullptr;
+};
+
 class Target {
   public:
     // Throws std::bad_alloc. 1 <= width, height <= 16384.
     Target(int width, int height, TargetFormat format);
+    // The planes are others'. Only one of the targets that share them may be in use at a time: settle() comes
+    // before the next one, start_over() first of all in that.
+    Target(int width, int height, TargetFormat format, const SharedPlanes& planes);
+    // Without a colour plane.
+    static Target depth_and_stencil(int width, int height, TargetFormat format);
+    // Fills what is still to be cleared everywhere.
+    void settle();
+    // Takes over planes that others have drawn to.
+    void start_over();
 
     int width() const { return m_width; }
     int height() const { return m_height; }
+    bool has_color() const { return static_cast<bool>(m_color); }
     int bins_across() const { return m_bins_across; }
     int bin_count() const { return m_bins_across * m_bins_up; }
     const TargetFormat& format() const { return m_format; }
@@ -117,12 +137,14 @@ class Target {
         // Throws std::bad_alloc.
         explicit Plane(size_t count);
         explicit operator bool() const { return get() != nullptr; }
-        T* get() const { return static_cast<T*>(m_memory.data()); }
+        T* get() const { return m_memory ? static_cast<T*>(m_memory->data()) : nullptr; }
 
       private:
-        ZeroedMemory m_memory;
+        std::shared_ptr<ZeroedMemory> m_memory;
     };
 
+    Target(int width, int height, TargetFormat format, std::nullptr_t);
+    void allocate_depth_and_stencil();
     size_t color_bytes() const;
 
     int m_width, m_height, m_bins_across, m_bins_up;

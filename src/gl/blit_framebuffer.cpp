@@ -1,0 +1,172 @@
+// BlitFramebuffer (ARB_framebuffer_object): a rectangle of the buffers read from, scaled or turned into one
+// of the buffers drawn to. The scissor cuts it, nothing else of the fragments' way touches it.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gl/context.h"
+#include "gl/draw.h"
+#include "gl/framebuffer_object.h"
+#include "gl/generated/commands.h"
+#include "gl/read_source.h"
+#include "pipeline/read_row.h"
+#include "pipeline/write_row.h"
+
+namespace terrazzo::gl {
+namespace {
+
+// One axis: destination pixels first to last - 1, and where their centres lie in the source.
+struct Axis {
+    int first = 0, last = 0;
+    double origin = 0, scale = 0;
+    int low = 0, high = 0;  // source pixels that may be read: low to high - 1
+
+    Axis(GLint source0, GLint source1, GLint to0, GLint to1, int source_size, int clip0, int clip1) {
+        const double length = static_cast<double>(to1) - to0;
+        if (length == 0 || source0 == source1) return;
+        scale = (static_cast<double>(source1) - source0) / length;
+        origin = source0 - scale * to0;
+        low = std::max(std::min(source0, source1), 0);
+        high = std::min(std::max(source0, source1), source_size);
+        first = std::max(std::min(to0, to1), clip0);
+        last = std::min(std::max(to0, to1), clip1);
+        // What would come from outside the source stays as it is.
+        while (first < last && !is_inside(first)) ++first;
+        while (first < last && !is_inside(last - 1)) --last;
+    }
+    double at(int pixel) const { return origin + scale * (pixel + 0.5); }
+    bool is_inside(int pixel) const { return at(pixel) >= low && at(pixel) < high; }
+    int nearest(int pixel) const {
+        return std::clamp(static_cast<int>(std::floor(at(pixel))), low, high - 1);
+    }
+};
+
+// The two source pixels that a destination pixel lies between, and the second's share.
+struct Between {
+    int first, second;
+    float share;
+
+    Between(const Axis& axis, int pixel) {
+        const double at = axis.at(pixel) - 0.5, base = std::floor(at);
+        first = std::clamp(static_cast<int>(base), axis.low, axis.high - 1);
+        second = std::clamp(static_cast<int>(base) + 1, axis.low, axis.high - 1);
+        share = static_cast<float>(at - base);
+    }
+};
+
+class Blit {
+  public:
+    Blit(Context& ctx, const ReadSource& source, const Axis& across, const Axis& up)
+        : m_source(source), m_to(*ctx.surface.draw->target()), m_across(across), m_up(up) {}
+
+    void nearest_colors() const {
+        std::vector<float> from, to;
+        copy(
+            from, to, 4,
+            [&](int row) {
+                pipeline::read_color_float(m_source.target(), m_across.low, row, width(), from.data());
+            },
+            [&](int row) { pipeline::write_color(m_to, m_across.first, row, count(), to.data()); });
+    }
+    void depths() const {
+        std::vector<uint32_t> from, to;
+        copy(
+            from, to, 1,
+            [&](int row) {
+                pipeline::read_depth(m_source.target(), m_across.low, row, width(), from.data());
+            },
+            [&](int row) { pipeline::write_depth(m_to, m_across.first, row, count(), to.data()); });
+    }
+    void stencils() const {
+        std::vector<uint8_t> from, to;
+        copy(
+            from, to, 1,
+            [&](int row) {
+                pipeline::read_stencil(m_source.target(), m_across.low, row, width(), from.data());
+            },
+            [&](int row) { pipeline::write_stencil(m_to, m_across.first, row, count(), to.data()); });
+    }
+    void linear_colors() const {
+        std::vector<float> low(4 * static_cast<size_t>(width())), high(low),
+            to(4 * static_cast<size_t>(count()));
+        for (int y = m_up.first; y < m_up.last; ++y) {
+            const Between rows(m_up, y);
+            pipeline::read_color_float(m_source.target(), m_across.low, m_source.row(rows.first), width(),
+                                       low.data());
+            pipeline::read_color_float(m_source.target(), m_across.low, m_source.row(rows.second), width(),
+                                       high.data());
+            for (int x = 0; x < count(); ++x) {
+                const Between columns(m_across, m_across.first + x);
+                const auto a = 4 * static_cast<size_t>(columns.first - m_across.low),
+                           b = 4 * static_cast<size_t>(columns.second - m_across.low);
+                for (size_t c = 0; c < 4; ++c) {
+                    const float below = low[a + c] + columns.share * (low[b + c] - low[a + c]);
+                    const float above = high[a + c] + columns.share * (high[b + c] - high[a + c]);
+                    to[4 * static_cast<size_t>(x) + c] = below + rows.share * (above - below);
+                }
+            }
+            pipeline::write_color(m_to, m_across.first, target_row(y), count(), to.data());
+        }
+    }
+
+  private:
+    int width() const { return m_across.high - m_across.low; }
+    int count() const { return m_across.last - m_across.first; }
+    int target_row(int y) const { return m_to.height() - 1 - y; }
+
+    template <typename T, typename Read, typename Write>
+    void copy(std::vector<T>& from, std::vector<T>& to, size_t components, Read read, Write write) const {
+        from.resize(components * static_cast<size_t>(width()));
+        to.resize(components * static_cast<size_t>(count()));
+        for (int y = m_up.first; y < m_up.last; ++y) {
+            read(m_source.row(m_up.nearest(y)));
+            for (int x = 0; x < count(); ++x) {
+                const auto column = static_cast<size_t>(m_across.nearest(m_across.first + x) - m_across.low);
+                std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(components * column), components,
+                            to.begin() + static_cast<std::ptrdiff_t>(components * static_cast<size_t>(x)));
+            }
+            write(target_row(y));
+        }
+    }
+
+    const ReadSource& m_source;
+    raster::Target& m_to;
+    const Axis &m_across, &m_up;
+};
+
+}  // namespace
+
+void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0,
+                      GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter) {
+    constexpr GLbitfield kBuffers = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+    if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
+    if (filter != GL_NEAREST && filter != GL_LINEAR)
+        return record_error(ctx, GL_INVALID_ENUM, "the filter is neither nearest nor linear");
+    if (filter == GL_LINEAR && (mask & ~static_cast<GLbitfield>(GL_COLOR_BUFFER_BIT)))
+        return record_error(ctx, GL_INVALID_OPERATION, "depth and stencil are not filtered");
+    if (!check_framebuffer(ctx) || !check_read_framebuffer(ctx)) return;
+    if (!ctx.surface.draw || !ctx.surface.draw->target() || !has_read_source(ctx))
+        return record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer");
+    const raster::TargetFormat &from = ctx.surface.read->target()->format(), &to = ctx.surface.format;
+    const bool depth = (mask & GL_DEPTH_BUFFER_BIT) && from.depth_bits != 0 && to.depth_bits != 0;
+    const bool stencil = (mask & GL_STENCIL_BUFFER_BIT) && from.stencil_bits != 0 && to.stencil_bits != 0;
+    const bool color = (mask & GL_COLOR_BUFFER_BIT) && draws_colors(ctx) &&
+                       ctx.framebuffer.read_buffer != GL_NONE && ctx.surface.read->target()->has_color();
+    if (depth && from.depth_bits != to.depth_bits)
+        return record_error(ctx, GL_INVALID_OPERATION, "the depth buffers are of different formats");
+    flush_vertices(ctx);
+    const ReadSource source(ctx);
+    pipeline::RasterState box;
+    scissor_box(ctx, box);
+    const Axis across(srcX0, srcX1, dstX0, dstX1, source.target().width(), box.x0, box.x1);
+    const Axis up(srcY0, srcY1, dstY0, dstY1, source.target().height(), ctx.surface.height - box.y1,
+                  ctx.surface.height - box.y0);
+    if (across.first >= across.last || up.first >= up.last) return;
+    ctx.surface.drawn = true;
+    const Blit blit(ctx, source, across, up);
+    if (color) filter == GL_LINEAR ? blit.linear_colors() : blit.nearest_colors();
+    if (depth) blit.depths();
+    if (stencil) blit.stencils();
+}
+
+}  // namespace terrazzo::gl

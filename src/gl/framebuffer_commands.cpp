@@ -1,0 +1,289 @@
+// Commands of frame buffer objects: names, binding, attachments, queries (ARB_framebuffer_object).
+#include <algorithm>
+
+#include "gl/context.h"
+#include "gl/draw.h"
+#include "gl/framebuffer_object.h"
+#include "gl/generated/commands.h"
+#include "gl/share.h"
+
+namespace terrazzo::gl {
+namespace {
+
+constexpr int kColorAttachmentNames = 16;
+
+// Binds `framebuffer`, null for the window system's, as what is drawn to; the draw buffer goes with it.
+void bind_draw(Context& ctx, std::shared_ptr<Framebuffer> framebuffer) {
+    FramebufferBindings& bindings = ctx.framebuffers;
+    if (framebuffer == bindings.draw) return;
+    settle_framebuffers(ctx);
+    if (bindings.draw) {
+        bindings.draw->draw_buffer = ctx.framebuffer.draw_buffer;
+    } else {
+        bindings.window_draw_buffer = ctx.framebuffer.draw_buffer;
+        bindings.window_drawn = ctx.surface.drawn;
+    }
+    begin_change(ctx, Dirty::kAll);
+    ctx.framebuffer.draw_buffer = framebuffer ? framebuffer->draw_buffer : bindings.window_draw_buffer;
+    bindings.draw = std::move(framebuffer);
+    if (bindings.draw) {
+        // Others may have drawn to its planes; it becomes the renderer's target when something is drawn.
+        if (bindings.draw->target()) bindings.draw->target()->start_over();
+        return use_draw_drawable(ctx, nullptr);
+    }
+    use_draw_drawable(ctx, bindings.window_draw);
+    ctx.surface.drawn = bindings.window_drawn;
+}
+
+void bind_read(Context& ctx, std::shared_ptr<Framebuffer> framebuffer) {
+    FramebufferBindings& bindings = ctx.framebuffers;
+    if (framebuffer == bindings.read) return;
+    (bindings.read ? bindings.read->read_buffer : bindings.window_read_buffer) = ctx.framebuffer.read_buffer;
+    ctx.framebuffer.read_buffer = framebuffer ? framebuffer->read_buffer : bindings.window_read_buffer;
+    bindings.read = std::move(framebuffer);
+    ctx.surface.read = bindings.read ? nullptr : bindings.window_read;
+}
+
+// The object that `target` names; the error is recorded where there is none, or it is the window system's.
+Framebuffer* bound_object(Context& ctx, GLenum target) {
+    Framebuffer* object = nullptr;
+    if (target == GL_FRAMEBUFFER || target == GL_DRAW_FRAMEBUFFER) {
+        object = ctx.framebuffers.draw.get();
+    } else if (target == GL_READ_FRAMEBUFFER) {
+        object = ctx.framebuffers.read.get();
+    } else {
+        return record_error(ctx, GL_INVALID_ENUM, "unknown frame buffer target"), nullptr;
+    }
+    if (!object) record_error(ctx, GL_INVALID_OPERATION, "the window system's frame buffer is bound");
+    return object;
+}
+
+// The points that `attachment` names, at most two; none where it is unknown, and the error is recorded.
+std::vector<Attachment*> find_points(Context& ctx, Framebuffer& framebuffer, GLenum attachment) {
+    auto& points = framebuffer.attachments;
+    switch (attachment) {
+        case GL_COLOR_ATTACHMENT0:
+            return {&points[kColorAttachment]};
+        case GL_DEPTH_ATTACHMENT:
+            return {&points[kDepthAttachment]};
+        case GL_STENCIL_ATTACHMENT:
+            return {&points[kStencilAttachment]};
+        case GL_DEPTH_STENCIL_ATTACHMENT:
+            return {&points[kDepthAttachment], &points[kStencilAttachment]};
+    }
+    const bool beyond =
+        attachment > GL_COLOR_ATTACHMENT0 && attachment < GL_COLOR_ATTACHMENT0 + kColorAttachmentNames;
+    record_error(ctx, beyond ? GL_INVALID_OPERATION : GL_INVALID_ENUM, "no such attachment point");
+    return {};
+}
+
+void attach(Context& ctx, GLenum target, GLenum attachment, const Attachment& attached) {
+    Framebuffer* const framebuffer = bound_object(ctx, target);
+    if (!framebuffer) return;
+    const std::vector<Attachment*> points = find_points(ctx, *framebuffer, attachment);
+    if (points.empty()) return;
+    settle_framebuffers(ctx);
+    begin_change(ctx, Dirty::kFramebuffer);
+    for (Attachment* const point : points) *point = attached;
+}
+
+// What a FramebufferTexture command attaches; false where the error is recorded.
+bool find_texture(Context& ctx, GLuint name, GLenum textarget, GLint level, GLint layer, Attachment& out) {
+    if (name == 0) return true;
+    const auto lock = lock_textures(ctx);
+    const auto found = ctx.shared->textures.objects.find(name);
+    if (found == ctx.shared->textures.objects.end() || !found->second)
+        return record_error(ctx, GL_INVALID_OPERATION, "no such texture"), false;
+    const GLenum face = textarget - GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+    const bool is_face = face < static_cast<GLenum>(kCubeFaces);
+    if (found->second->target != (is_face ? GL_TEXTURE_CUBE_MAP : textarget))
+        return record_error(ctx, GL_INVALID_OPERATION, "the texture belongs to another target"), false;
+    if (level < 0 || level >= kMaxTextureLevels || layer < 0 || layer >= kMax3dTextureSize)
+        return record_error(ctx, GL_INVALID_VALUE, "no such level or layer"), false;
+    out.texture = found->second;
+    out.face = is_face ? static_cast<int>(face) : 0;
+    out.level = level;
+    out.layer = layer;
+    return true;
+}
+
+void framebuffer_texture(Context& ctx, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
+                         GLint level, GLint layer) {
+    if (!bound_object(ctx, target)) return;
+    Attachment attached;
+    if (find_texture(ctx, texture, textarget, level, layer, attached))
+        attach(ctx, target, attachment, attached);
+}
+
+GLint size_in_bits(const Attachment& a, GLenum pname) {
+    if (a.renderbuffer) {
+        const GLenum to_renderbuffer[] = {GL_RENDERBUFFER_RED_SIZE,   GL_RENDERBUFFER_GREEN_SIZE,
+                                          GL_RENDERBUFFER_BLUE_SIZE,  GL_RENDERBUFFER_ALPHA_SIZE,
+                                          GL_RENDERBUFFER_DEPTH_SIZE, GL_RENDERBUFFER_STENCIL_SIZE};
+        return renderbuffer_bits(*a.renderbuffer,
+                                 to_renderbuffer[pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE]);
+    }
+    const TexelFormat* const format = a.texture->face(a.face)[static_cast<std::size_t>(a.level)].format;
+    if (!format) return 0;
+    const GLenum channel = pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE;
+    const bool is_depth = format->base == GL_DEPTH_COMPONENT;
+    if (channel < 4) return is_depth ? 0 : format->bits[channel];
+    return is_depth && channel == 4 ? format->bits[0] : 0;
+}
+
+}  // namespace
+
+void gen_framebuffers(Context& ctx, GLsizei n, GLuint* framebuffers) {
+    if (n < 0) return record_error(ctx, GL_INVALID_VALUE, "n is negative");
+    FramebufferBindings& all = ctx.framebuffers;
+    GLsizei made = 0;
+    try {
+        for (; made < n; ++made) {
+            while (all.next_name == 0 || all.objects.contains(all.next_name)) ++all.next_name;
+            all.objects.emplace(all.next_name, nullptr);
+            framebuffers[made] = all.next_name++;
+        }
+    } catch (...) {
+        while (made > 0) all.objects.erase(framebuffers[--made]);
+        throw;
+    }
+}
+
+void delete_framebuffers(Context& ctx, GLsizei n, const GLuint* framebuffers) {
+    if (n < 0) return record_error(ctx, GL_INVALID_VALUE, "n is negative");
+    for (GLsizei i = 0; i < n; ++i) {
+        const auto found = ctx.framebuffers.objects.find(framebuffers[i]);
+        if (found == ctx.framebuffers.objects.end()) continue;
+        if (found->second) {
+            if (found->second == ctx.framebuffers.draw) bind_draw(ctx, nullptr);
+            if (found->second == ctx.framebuffers.read) bind_read(ctx, nullptr);
+        }
+        ctx.framebuffers.objects.erase(found);
+    }
+}
+
+GLboolean is_framebuffer(Context& ctx, GLuint framebuffer) {
+    const auto found = ctx.framebuffers.objects.find(framebuffer);
+    return found != ctx.framebuffers.objects.end() && found->second;
+}
+
+// Names that GenFramebuffers did not make are taken too: EXT_framebuffer_object has no such rule.
+void bind_framebuffer(Context& ctx, GLenum target, GLuint framebuffer) {
+    if (target != GL_FRAMEBUFFER && target != GL_DRAW_FRAMEBUFFER && target != GL_READ_FRAMEBUFFER)
+        return record_error(ctx, GL_INVALID_ENUM, "unknown frame buffer target");
+    std::shared_ptr<Framebuffer> object;
+    if (framebuffer != 0) {
+        const auto found = ctx.framebuffers.objects.find(framebuffer);
+        if (found != ctx.framebuffers.objects.end()) object = found->second;
+        if (!object) {
+            object = std::make_shared<Framebuffer>(framebuffer);
+            ctx.framebuffers.objects[framebuffer] = object;
+        }
+    }
+    if (target != GL_READ_FRAMEBUFFER) bind_draw(ctx, object);
+    if (target != GL_DRAW_FRAMEBUFFER) bind_read(ctx, object);
+}
+
+GLenum check_framebuffer_status(Context& ctx, GLenum target) {
+    const FramebufferBindings& bindings = ctx.framebuffers;
+    if (target != GL_FRAMEBUFFER && target != GL_DRAW_FRAMEBUFFER && target != GL_READ_FRAMEBUFFER)
+        return record_error(ctx, GL_INVALID_ENUM, "unknown frame buffer target"), 0;
+    const bool reads = target == GL_READ_FRAMEBUFFER;
+    take_over_buffers(ctx);
+    const Framebuffer* const object = (reads ? bindings.read : bindings.draw).get();
+    if (!object && !(reads ? bindings.window_read : bindings.window_draw)) return GL_FRAMEBUFFER_UNDEFINED;
+    return framebuffer_status(ctx, object);
+}
+
+void framebuffer_renderbuffer(Context& ctx, GLenum target, GLenum attachment, GLenum renderbuffertarget,
+                              GLuint renderbuffer) {
+    if (!bound_object(ctx, target)) return;
+    if (renderbuffertarget != GL_RENDERBUFFER)
+        return record_error(ctx, GL_INVALID_ENUM, "the target is not GL_RENDERBUFFER");
+    Attachment attached;
+    if (renderbuffer != 0) {
+        const std::lock_guard lock(ctx.shared->mutex);
+        const auto found = ctx.shared->renderbuffers.objects.find(renderbuffer);
+        if (found != ctx.shared->renderbuffers.objects.end()) attached.renderbuffer = found->second;
+    }
+    if (renderbuffer != 0 && !attached.renderbuffer)
+        return record_error(ctx, GL_INVALID_OPERATION, "no such renderbuffer");
+    attach(ctx, target, attachment, attached);
+}
+
+void framebuffer_texture_1d(Context& ctx, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
+                            GLint level) {
+    if (texture != 0 && textarget != GL_TEXTURE_1D)
+        return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
+    framebuffer_texture(ctx, target, attachment, textarget, texture, level, 0);
+}
+
+void framebuffer_texture_2d(Context& ctx, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
+                            GLint level) {
+    const bool is_face = textarget - GL_TEXTURE_CUBE_MAP_POSITIVE_X < static_cast<GLenum>(kCubeFaces);
+    if (texture != 0 && textarget != GL_TEXTURE_2D && !is_face)
+        return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
+    framebuffer_texture(ctx, target, attachment, textarget, texture, level, 0);
+}
+
+void framebuffer_texture_3d(Context& ctx, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
+                            GLint level, GLint zoffset) {
+    if (texture != 0 && textarget != GL_TEXTURE_3D)
+        return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
+    framebuffer_texture(ctx, target, attachment, textarget, texture, level, zoffset);
+}
+
+void framebuffer_texture_layer(Context& ctx, GLenum target, GLenum attachment, GLuint texture, GLint level,
+                               GLint layer) {
+    framebuffer_texture(ctx, target, attachment, GL_TEXTURE_3D, texture, level, layer);
+}
+
+void get_framebuffer_attachment_parameteriv(Context& ctx, GLenum target, GLenum attachment, GLenum pname,
+                                            GLint* params) {
+    Framebuffer* const framebuffer = bound_object(ctx, target);
+    if (!framebuffer) return;
+    const std::vector<Attachment*> points = find_points(ctx, *framebuffer, attachment);
+    if (points.empty()) return;
+    const Attachment& a = *points.front();
+    if (points.size() == 2 && (a.renderbuffer != points[1]->renderbuffer || a.texture != points[1]->texture))
+        return record_error(ctx, GL_INVALID_OPERATION, "depth and stencil are not the same object");
+    if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) {
+        *params = a.renderbuffer ? GL_RENDERBUFFER : a.texture ? GL_TEXTURE : GL_NONE;
+        return;
+    }
+    if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME) {
+        *params = static_cast<GLint>(a.renderbuffer ? a.renderbuffer->name : a.texture ? a.texture->name : 0);
+        return;
+    }
+    const bool is_size =
+        pname >= GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE && pname <= GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE;
+    if (is_size && !a.is_empty()) {
+        *params = size_in_bits(a, pname);
+        return;
+    }
+    if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING && !a.is_empty()) {
+        *params = GL_LINEAR;
+        return;
+    }
+    if (pname == GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE && !a.is_empty()) {
+        *params = attachment == GL_STENCIL_ATTACHMENT ? GL_INDEX : GL_UNSIGNED_NORMALIZED;
+        return;
+    }
+    if (a.texture) {
+        switch (pname) {
+            case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL:
+                *params = a.level;
+                return;
+            case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE:
+                *params =
+                    a.texture->target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + a.face : 0;
+                return;
+            case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER:
+                *params = a.layer;
+                return;
+        }
+    }
+    record_error(ctx, GL_INVALID_ENUM, "no such parameter of what is attached");
+}
+
+}  // namespace terrazzo::gl

@@ -1,0 +1,260 @@
+// What frame buffer objects are made of, and their way in and out of the renderer.
+#include "gl/framebuffer_object.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gl/context.h"
+#include "gl/draw.h"
+#include "gl/pixel_convert.h"
+#include "gl/share.h"
+#include "gl/texel_row.h"
+#include "pipeline/read_row.h"
+#include "pipeline/write_row.h"
+
+namespace terrazzo::gl {
+namespace {
+
+using raster::Target;
+
+struct AttachedSize {
+    int width = 0, height = 0;
+};
+
+const TextureLevel& level_of(const Attachment& a) {
+    return std::as_const(*a.texture).face(a.face)[static_cast<std::size_t>(a.level)];
+}
+
+bool has_stencil(GLint internal_format) {
+    return internal_format == GL_DEPTH24_STENCIL8 || internal_format == GL_DEPTH_STENCIL;
+}
+
+bool is_depth(const TexelFormat& format) {
+    return format.base == GL_DEPTH_COMPONENT;
+}
+
+// The format of planes that hold a texture's texels; colours of more than 8 bits take 16.
+raster::TargetFormat plane_format(const TexelFormat& texel, AttachmentPoint point) {
+    raster::TargetFormat format{raster::ColorFormat::kRgba8, texel.base == GL_RGBA, 0, 0};
+    if (point == kDepthAttachment) format.depth_bits = texel.bits[0] == 16 ? 16 : 24;
+    if (point == kStencilAttachment) format.stencil_bits = 8;
+    if (texel.storage == pipeline::TexelStorage::kRgba32F) format.color = raster::ColorFormat::kRgba16;
+    return format;
+}
+
+// Size of what is attached, 0 where it cannot be drawn to at this point.
+AttachedSize size_of(const Attachment& a, AttachmentPoint point) {
+    if (a.renderbuffer) {
+        const Renderbuffer& r = *a.renderbuffer;
+        const bool fits = point == kColorAttachment   ? r.has_color
+                          : point == kDepthAttachment ? r.format.depth_bits != 0
+                                                      : r.format.stencil_bits != 0;
+        return fits && r.planes ? AttachedSize{r.width, r.height} : AttachedSize{};
+    }
+    if (a.level >= kMaxTextureLevels) return {};
+    const TextureLevel& level = level_of(a);
+    if (!level.image || level.border != 0 || a.layer >= level.depth) return {};
+    const GLenum base = level.format->base;
+    const bool fits = point == kColorAttachment   ? base == GL_RGB || base == GL_RGBA
+                      : point == kDepthAttachment ? is_depth(*level.format)
+                                                  : has_stencil(level.internal_format);
+    return fits ? AttachedSize{level.width, level.height} : AttachedSize{};
+}
+
+// As in the reference, and later versions of GL, what draws to or reads from a missing colour buffer is no
+// reason to be incomplete.
+GLenum status_of(const Framebuffer& framebuffer) {
+    AttachedSize size;
+    bool agree = true;
+    for (int point = 0; point < kAttachmentCount; ++point) {
+        const Attachment& a = framebuffer.attachments[static_cast<std::size_t>(point)];
+        if (a.is_empty()) continue;
+        const AttachedSize own = size_of(a, static_cast<AttachmentPoint>(point));
+        if (own.width == 0) return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+        if (size.width == 0) size = own;
+        agree = agree && own.width == size.width && own.height == size.height;
+    }
+    if (size.width == 0) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+    return agree ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_UNSUPPORTED;
+}
+
+// Rows of an image and of a target, whose top row is the first.
+template <typename Row>
+void for_each_run(const Target& target, Row row) {
+    for (int y = 0; y < target.height(); ++y)
+        for (int x = 0; x < target.width(); x += kPixelChunk)
+            row(x, y, target.height() - 1 - y, std::min(kPixelChunk, target.width() - x));
+}
+
+void load(const Attachment& a, AttachmentPoint point, Target& planes) {
+    const TextureLevel& level = level_of(a);
+    const TexelFormat& format = *level.format;
+    const pipeline::TextureImage& image = *level.image;
+    for_each_run(planes, [&](int x, int y, int row, int count) {
+        if (point == kDepthAttachment) {
+            uint32_t depths[kPixelChunk];
+            const auto bits = static_cast<unsigned>(planes.format().depth_bits);
+            for (int i = 0; i < count; ++i)
+                depths[i] = resize_depth(image.depths(x, y)[i], format.bits[0], bits);
+            return pipeline::write_depth(planes, x, row, count, depths);
+        }
+        if (format.storage == pipeline::TexelStorage::kRgba8)
+            return pipeline::write_color_rgba8(planes, x, row, count, image.rgba8(x, y, a.layer));
+        pipeline::write_color(planes, x, row, count, image.rgba32f(x, y, a.layer));
+    });
+}
+
+void store(const Attachment& a, AttachmentPoint point, Target& planes, pipeline::TextureImage& image) {
+    const TexelFormat& format = *level_of(a).format;
+    for_each_run(planes, [&](int x, int y, int row, int count) {
+        if (point == kDepthAttachment) {
+            uint32_t* const depths = image.depths(x, y);
+            pipeline::read_depth(planes, x, row, count, depths);
+            const auto bits = static_cast<unsigned>(planes.format().depth_bits);
+            for (int i = 0; i < count; ++i) depths[i] = resize_depth(depths[i], bits, format.bits[0]);
+        } else if (format.storage == pipeline::TexelStorage::kRgba8) {
+            uint8_t rgba[4 * kPixelChunk];
+            pipeline::read_color_rgba8(planes, x, row, count, rgba);
+            store_texels(format, rgba, Rounding::kAsDrawn, count, image, x, y, a.layer);
+        } else {
+            float rgba[4 * kPixelChunk];
+            pipeline::read_color_float(planes, x, row, count, rgba);
+            store_texels(format, rgba, Rounding::kOnce, count, image, x, y, a.layer);
+        }
+    });
+}
+
+// The planes that an attachment is drawn to, loaded from the texture's image where that is a new one.
+std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point) {
+    if (a.renderbuffer) return a.renderbuffer->planes;
+    if (!a.texture) return nullptr;
+    const TextureLevel& level = level_of(a);
+    const raster::TargetFormat format = plane_format(*level.format, point);
+    if (!a.planes || a.planes->width() != level.width || a.planes->height() != level.height ||
+        a.planes->format() != format) {
+        a.planes =
+            point == kColorAttachment
+                ? std::make_shared<Target>(level.width, level.height, format)
+                : std::make_shared<Target>(Target::depth_and_stencil(level.width, level.height, format));
+        a.planes->settle();
+        a.content = 0;
+    }
+    if (point != kStencilAttachment && a.content != level.image->content()) {
+        load(a, point, *a.planes);
+        a.content = level.image->content();
+    }
+    return a.planes;
+}
+
+// Brings a complete object's target up to date with its attachments.
+void compose(Context& ctx, Framebuffer& framebuffer) {
+    const auto lock = lock_textures(ctx);
+    std::array<std::shared_ptr<Target>, kAttachmentCount> planes;
+    raster::TargetFormat format{raster::ColorFormat::kRgba8, true, 0, 0};
+    const Target* any = nullptr;
+    for (int point = 0; point < kAttachmentCount; ++point) {
+        const auto index = static_cast<std::size_t>(point);
+        planes[index] = current_planes(framebuffer.attachments[index], static_cast<AttachmentPoint>(point));
+        if (!planes[index]) continue;
+        any = planes[index].get();
+        const raster::TargetFormat& own = planes[index]->format();
+        if (point == kColorAttachment) format.color = own.color, format.has_alpha = own.has_alpha;
+        if (point == kDepthAttachment) format.depth_bits = own.depth_bits;
+        if (point == kStencilAttachment) format.stencil_bits = own.stencil_bits;
+    }
+    if (any) framebuffer.compose(any->width(), any->height(), format, planes);
+}
+
+// Writes what was drawn to textures into their images.
+void store_textures(Context& ctx, Framebuffer& framebuffer) {
+    const auto lock = lock_textures(ctx);
+    for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment}) {
+        Attachment& a = framebuffer.attachments[point];
+        if (!a.texture || !a.planes || size_of(a, point).width != a.planes->width() ||
+            level_of(a).image->content() != a.content)
+            continue;
+        TextureLevel& level = a.texture->face(a.face)[static_cast<std::size_t>(a.level)];
+        ctx.drawing.state.fragment.reset();  // it would count as a reference to the image
+        pipeline::TextureImage* const image = level.image.writable();
+        if (!image) throw std::bad_alloc();
+        store(a, point, *a.planes, *image);
+        a.content = image->content();
+    }
+    ctx.dirty |= static_cast<unsigned>(Dirty::kTexture);
+}
+
+}  // namespace
+
+void Framebuffer::compose(int width, int height, const raster::TargetFormat& format,
+                          const std::array<std::shared_ptr<Target>, kAttachmentCount>& planes) {
+    if (target() && planes == m_planes && target()->format() == format) return;
+    set_target(std::make_shared<Target>(
+        width, height, format,
+        raster::SharedPlanes{planes[kColorAttachment].get(), planes[kDepthAttachment].get(),
+                             planes[kStencilAttachment].get()}));
+    target()->start_over();
+    m_planes = planes;
+}
+
+GLenum framebuffer_status(Context& ctx, const Framebuffer* framebuffer) {
+    if (!framebuffer) return GL_FRAMEBUFFER_COMPLETE;
+    const auto lock = lock_textures(ctx);
+    return status_of(*framebuffer);
+}
+
+void take_over_buffers(Context& ctx) {
+    if (ctx.framebuffers.draw) ctx.framebuffers.draw->draw_buffer = ctx.framebuffer.draw_buffer;
+    if (ctx.framebuffers.read) ctx.framebuffers.read->read_buffer = ctx.framebuffer.read_buffer;
+}
+
+bool draws_colors(const Context& ctx) {
+    const Target* const target = ctx.renderer.target().get();
+    return ctx.framebuffer.draw_buffer != GL_NONE && (!target || target->has_color());
+}
+
+bool check_framebuffer(Context& ctx) {
+    const auto framebuffer = ctx.framebuffers.draw;
+    if (!framebuffer) return true;
+    take_over_buffers(ctx);
+    const bool complete = framebuffer_status(ctx, framebuffer.get()) == GL_FRAMEBUFFER_COMPLETE;
+    if (complete) compose(ctx, *framebuffer);
+    use_draw_drawable(ctx, complete ? framebuffer : nullptr);
+    if (!complete) record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "the frame buffer is not complete");
+    return complete;
+}
+
+bool check_read_framebuffer(Context& ctx) {
+    const auto framebuffer = ctx.framebuffers.read;
+    if (!framebuffer) return true;
+    if (framebuffer == ctx.framebuffers.draw) {
+        const bool complete = check_framebuffer(ctx);
+        ctx.surface.read = complete ? framebuffer : nullptr;
+        return complete;
+    }
+    settle_framebuffers(ctx);
+    take_over_buffers(ctx);
+    const bool complete = framebuffer_status(ctx, framebuffer.get()) == GL_FRAMEBUFFER_COMPLETE;
+    if (complete) compose(ctx, *framebuffer);
+    ctx.surface.read = complete ? framebuffer : nullptr;
+    if (!complete) record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "the frame buffer is not complete");
+    return complete;
+}
+
+void settle_framebuffers(Context& ctx) {
+    Framebuffer* const framebuffer = ctx.framebuffers.draw.get();
+    if (!framebuffer || !framebuffer->target() || ctx.renderer.target() != framebuffer->target()) return;
+    finish_drawing(ctx);
+    framebuffer->target()->settle();
+    const bool flushed = std::exchange(framebuffer->flushed, false);
+    if (std::exchange(ctx.surface.drawn, false) || flushed) store_textures(ctx, *framebuffer);
+}
+
+void detach_texture(Context& ctx, const TextureObject* texture) {
+    for (Framebuffer* const framebuffer : {ctx.framebuffers.draw.get(), ctx.framebuffers.read.get()}) {
+        if (!framebuffer) continue;
+        for (Attachment& a : framebuffer->attachments)
+            if (a.texture.get() == texture) a = {};
+    }
+}
+
+}  // namespace terrazzo::gl

@@ -1,0 +1,135 @@
+// Frame buffer objects: what shows in textures when they are left, changed or deleted; windows in the
+// meantime.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "attach_picture.h"
+#include "gl/framebuffer_object.h"
+#include "gl/generated/commands.h"
+#include "gl_fixture.h"
+
+namespace terrazzo::gl {
+namespace {
+
+constexpr int kSize = 8;
+
+class FramebufferObjectsTest : public GlTest {
+  protected:
+    FramebufferObjectsTest() {
+        attach_picture(ctx(), kSize, kSize);
+        gen_textures(ctx(), 1, &m_texture);
+        bind_texture(ctx(), GL_TEXTURE_2D, m_texture);
+        specify();
+        bind_framebuffer(ctx(), GL_FRAMEBUFFER, 5);
+        framebuffer_texture_2d(ctx(), GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_texture, 0);
+        EXPECT_EQ(check_framebuffer_status(ctx(), GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+    }
+
+    void specify() {
+        const std::array<GLubyte, 4 * kSize * kSize> black{};
+        tex_image_2d(ctx(), GL_TEXTURE_2D, 0, GL_RGBA, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     black.data());
+    }
+
+    void fill(GLfloat red) {
+        clear_color(ctx(), red, 0, 0, 1);
+        clear(ctx(), GL_COLOR_BUFFER_BIT);
+    }
+
+    int red_of_texture() {
+        std::array<GLubyte, 4 * kSize * kSize> texels{};
+        get_tex_image(ctx(), GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        return texels[0];
+    }
+
+    int red_of_pixel() {
+        GLubyte rgba[4] = {};
+        read_pixels(ctx(), 1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+        return rgba[0];
+    }
+
+    GLuint m_texture = 0;
+};
+
+TEST_F(FramebufferObjectsTest, TexturesShowWhatWasDrawnWhenTheObjectIsLeft) {
+    fill(1);
+    EXPECT_EQ(red_of_pixel(), 255);
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 0);
+    EXPECT_EQ(red_of_texture(), 255);
+    EXPECT_EQ(red_of_pixel(), 0) << "the window is another buffer";
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 5);
+    EXPECT_EQ(red_of_pixel(), 255);
+}
+
+TEST_F(FramebufferObjectsTest, FlushDoesNotLoseWhatTexturesShow) {
+    fill(1);
+    flush(ctx());
+    finish(ctx());
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 0);
+    EXPECT_EQ(red_of_texture(), 255);
+}
+
+TEST_F(FramebufferObjectsTest, NewTexelsAreDrawnOver) {
+    fill(1);
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 0);
+    specify();
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 5);
+    EXPECT_EQ(red_of_pixel(), 0);
+}
+
+TEST_F(FramebufferObjectsTest, DeletedTexturesAndObjectsLeave) {
+    fill(1);
+    delete_textures(ctx(), 1, &m_texture);
+    EXPECT_EQ(check_framebuffer_status(ctx(), GL_FRAMEBUFFER),
+              GLenum{GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT});
+    fill(0);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION});
+    const GLuint name = 5;
+    delete_framebuffers(ctx(), 1, &name);
+    fill(0.5f);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    EXPECT_EQ(red_of_pixel(), 128);
+}
+
+TEST_F(FramebufferObjectsTest, ObjectsShareRenderbuffers) {
+    GLuint names[2];
+    gen_renderbuffers(ctx(), 2, names);
+    bind_renderbuffer(ctx(), GL_RENDERBUFFER, names[0]);
+    renderbuffer_storage(ctx(), GL_RENDERBUFFER, GL_RGBA8, kSize, kSize);
+    for (GLuint object : {7u, 8u}) {
+        bind_framebuffer(ctx(), GL_FRAMEBUFFER, object);
+        framebuffer_renderbuffer(ctx(), GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, names[0]);
+    }
+    fill(1);
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 7);
+    EXPECT_EQ(red_of_pixel(), 255);
+    // New storage while it is attached; then another size beside it.
+    renderbuffer_storage(ctx(), GL_RENDERBUFFER, GL_RGBA8, kSize, kSize);
+    EXPECT_EQ(red_of_pixel(), 0);
+    bind_renderbuffer(ctx(), GL_RENDERBUFFER, names[1]);
+    renderbuffer_storage(ctx(), GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kSize + 1, kSize);
+    framebuffer_renderbuffer(ctx(), GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, names[1]);
+    EXPECT_EQ(check_framebuffer_status(ctx(), GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_UNSUPPORTED});
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
+TEST_F(FramebufferObjectsTest, WithoutAColourBufferNoneIsTouched) {
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 9);
+    bind_renderbuffer(ctx(), GL_RENDERBUFFER, 1);
+    renderbuffer_storage(ctx(), GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, kSize, kSize);
+    framebuffer_renderbuffer(ctx(), GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 1);
+    fill(1);
+    rectf(ctx(), -1, -1, 1, 1);
+    finish(ctx());
+    GLubyte rgba[4] = {};
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    read_pixels(ctx(), 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_OPERATION});
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 0);
+    EXPECT_EQ(red_of_pixel(), 0);
+}
+
+}  // namespace
+}  // namespace terrazzo::gl
