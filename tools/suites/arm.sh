@@ -17,7 +17,7 @@ on_arm() {
         tools/arm/make_sysroot.sh "$1" "$root" $libraries || return 1
         sed "s#@SYSROOT@#$root#" "tools/arm/$1.ini.in" >"$root/cross.ini"
     fi
-    configure_in "$folder" --cross-file "$root/cross.ini" -Dprograms=false || return 1
+    configure_in "$folder" --cross-file "$root/cross.ini" -Dprograms=false -Dwindows=false || return 1
     rm -f "$folder"/meson-logs/testlog.*
     meson test -C "$folder" --print-errorlogs --timeout-multiplier 20 --suite unit --suite kernels --suite stress
 }
