@@ -46,7 +46,7 @@ GLenum check_buffer(const Context& ctx, GLenum buffer, const Framebuffer* object
     return object && error == GL_NO_ERROR ? GLenum{GL_INVALID_OPERATION} : error;
 }
 
-// Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer stands for them.
+// Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer is selected then.
 bool names_front(GLenum buffer) {
     return buffer == GL_FRONT || buffer == GL_FRONT_LEFT;
 }
@@ -121,6 +121,14 @@ void draw_buffer(Context& ctx, GLenum buf) {
     select_draw_buffer(ctx, buf);
 }
 
+void use_draw_buffer(Context& ctx, Drawable& drawable) {
+    const GLenum buffer = ctx.framebuffer.draw_buffer;
+    const bool both = drawable.is_double_buffered() && (buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT);
+    if (both) drawable.select(ColorBuffer::kFront);  // whose pixels are there from then on
+    drawable.select(drawn_color_buffer(ctx));
+    ctx.renderer.draw_to_both_colors(both);
+}
+
 void select_draw_buffer(Context& ctx, GLenum buffer) {
     if (buffer == ctx.framebuffer.draw_buffer) return;
     // A front buffer that loses its context's attention is shown now: Flush looks only at what is drawn to
@@ -128,7 +136,7 @@ void select_draw_buffer(Context& ctx, GLenum buffer) {
     present(ctx);
     finish_drawing(ctx);
     change(ctx, Dirty::kFragment, ctx.framebuffer.draw_buffer, buffer);
-    if (ctx.surface.draw) ctx.surface.draw->select(drawn_color_buffer(ctx));
+    if (ctx.surface.draw) use_draw_buffer(ctx, *ctx.surface.draw);
 }
 
 void read_buffer(Context& ctx, GLenum src) {

@@ -37,6 +37,10 @@ struct FramebufferState {
 ColorBuffer drawn_color_buffer(const Context& ctx);
 ColorBuffer read_color_buffer(const Context& ctx);
 
+// Makes the drawable's buffers those that glDrawBuffer chose. What is queued must have been drawn, but for another
+// drawable. Throws std::bad_alloc.
+void use_draw_buffer(Context& ctx, Drawable& drawable);
+
 // glDrawBuffer with a checked argument. Throws std::bad_alloc.
 void select_draw_buffer(Context& ctx, GLenum buffer);
 

@@ -12,7 +12,7 @@ namespace terrazzo::gl {
 namespace {
 
 void use_target(Context& ctx, Drawable* drawable) {
-    if (drawable) drawable->select(drawn_color_buffer(ctx));
+    if (drawable && drawable->target()) use_draw_buffer(ctx, *drawable);
     const auto target = drawable ? drawable->target() : nullptr;
     if (target == ctx.renderer.target()) return;
     begin_change(ctx, Dirty::kAll);
@@ -60,8 +60,10 @@ void follow_drawables(Context& ctx) {
 
 void present(Context& ctx) {
     begin_change(ctx, Dirty::kFramebuffer);
-    if (!ctx.surface.drawn || !ctx.surface.draw || ctx.surface.draw->selected() != ColorBuffer::kFront)
-        return;
+    const GLenum buffer = ctx.framebuffer.draw_buffer;
+    const bool front = buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT ||
+                       (ctx.surface.draw && ctx.surface.draw->selected() == ColorBuffer::kFront);
+    if (!ctx.surface.drawn || !ctx.surface.draw || !front) return;
     ctx.surface.drawn = false;
     ctx.surface.draw->show_front(ctx);
 }

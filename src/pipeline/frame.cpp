@@ -131,26 +131,39 @@ void Frame::draw_bin(int index) const {
     }
 }
 
+void Frame::draw_bins() const {
+    std::vector<int> bins;
+    for (size_t i = 0; i < m_bins.size(); ++i)
+        if (m_bins[i].first != nullptr) bins.push_back(static_cast<int>(i));
+    // A handful of commands is drawn sooner than a thread wakes up.
+    constexpr size_t kFewCommands = 32;
+    if (m_commands <= kFewCommands) {
+        for (const int bin : bins) draw_bin(bin);
+    } else {
+        run_parallel(static_cast<int>(bins.size()), [&](int i) { draw_bin(bins[static_cast<size_t>(i)]); });
+    }
+}
+
+// A fragment passes the tests or not whatever buffer its colour goes to: the first time is for the other buffer, then
+// depth and stencil go back to where they were. Rare enough to be slow. Samples are counted twice.
+void Frame::draw_other_color() {
+    const raster::Target::Depths before = m_target->save_depths();
+    m_target->exchange_color();
+    draw_bins();
+    m_target->exchange_color();
+    m_target->restore_depths(before);
+}
+
 void Frame::draw() {
     const StageTimer timer(statistics.pixel_nanoseconds);
-    if (m_commands != 0) {
-        std::vector<int> bins;
-        for (size_t i = 0; i < m_bins.size(); ++i)
-            if (m_bins[i].first != nullptr) bins.push_back(static_cast<int>(i));
-        // A handful of commands is drawn sooner than a thread wakes up.
-        constexpr size_t kFewCommands = 32;
-        if (m_commands <= kFewCommands) {
-            for (const int bin : bins) draw_bin(bin);
-        } else {
-            run_parallel(static_cast<int>(bins.size()),
-                         [&](int i) { draw_bin(bins[static_cast<size_t>(i)]); });
-        }
-    }
+    if (m_commands != 0 && m_both) draw_other_color();
+    if (m_commands != 0) draw_bins();
     reset();
 }
 
 void Frame::draw(const std::function<void(int)>& finished) {
     const StageTimer timer(statistics.pixel_nanoseconds);
+    if (m_commands != 0 && m_both) draw_other_color();
     run_parallel(static_cast<int>(m_bins.size()), [&](int bin) {
         draw_bin(bin);
         finished(bin);

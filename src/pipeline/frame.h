@@ -83,6 +83,11 @@ class Frame {
     // A clear of a rectangle of pixels through masks.
     void add(const raster::BinClear& clear);
 
+    // Everything drawn from now on goes to both colour buffers of the target, of which the depth test sees one history.
+    // What was queued before must have been drawn.
+    void draw_to_both_colors(bool both) { m_both = both; }
+    bool draws_to_both_colors() const { return m_both; }
+
     // Draws everything queued, on all threads, and forgets it.
     void draw();
     // The same, and hands each bin of the target over to `finished` as soon as its pixels are done, while
@@ -105,6 +110,8 @@ class Frame {
 
     void push(int bin, uintptr_t command);
     void draw_bin(int index) const;
+    void draw_bins() const;
+    void draw_other_color();
     void reset();
 
     std::shared_ptr<raster::Target> m_target;
@@ -114,6 +121,7 @@ class Frame {
     size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;
     size_t m_primitives = 0;
+    bool m_both = false;
     bool m_counts_samples = false;  // some primitive does
 };
 

@@ -82,6 +82,9 @@ class Renderer {
     void set_target(std::shared_ptr<raster::Target> target);
     const std::shared_ptr<raster::Target>& target() const { return m_frame.target(); }
 
+    // Whether draws and clears from now on go to both colour buffers of the target; queued ones are finished first.
+    void draw_to_both_colors(bool both);
+
     // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws
     // std::bad_alloc, and what was queued stays good. Draws the frame early whenever it has grown full.
     void draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode, const VertexRange& range);

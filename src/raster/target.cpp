@@ -136,6 +136,30 @@ void Target::exchange_color() {
     std::swap(m_color, m_other_color);
 }
 
+Target::Depths Target::save_depths() const {
+    const size_t bins = static_cast<size_t>(bin_count()), pixels = bins * kBinPixels;
+    Depths out;
+    if (m_depth) {
+        out.depth.assign(m_depth.get(), m_depth.get() + pixels);
+        out.farthest.assign(m_farthest.get(), m_farthest.get() + bins * kBinTiles);
+    }
+    if (m_stencil) out.stencil.assign(m_stencil.get(), m_stencil.get() + pixels);
+    out.states = m_states;
+    return out;
+}
+
+void Target::restore_depths(const Depths& saved) {
+    std::ranges::copy(saved.depth, m_depth.get());
+    std::ranges::copy(saved.farthest, m_farthest.get());
+    std::ranges::copy(saved.stencil, m_stencil.get());
+    for (size_t i = 0; i < m_states.size(); ++i) {
+        const BinState color = m_states[i];
+        m_states[i] = saved.states[i];
+        m_states[i].pending.color = color.pending.color;
+        std::copy_n(color.clear.color, 4, m_states[i].clear.color);
+    }
+}
+
 void Target::forget_farthest(int index) {
     const Bin planes = bin(index);
     if (planes.farthest == nullptr) return;

@@ -125,6 +125,15 @@ class Target {
     // Draws to, or shows, another colour buffer from now on, with the same depth and stencil, and back again the next
     // time. The first time it is all zero. Throws std::bad_alloc and changes nothing then.
     void exchange_color();
+    // All but the colours, to be drawn over and come back to. Throws std::bad_alloc.
+    struct Depths {
+        std::vector<uint32_t> depth;
+        std::vector<uint8_t> stencil;
+        std::vector<float> farthest;
+        std::vector<BinState> states;
+    };
+    Depths save_depths() const;
+    void restore_depths(const Depths& saved);
     // Lets a bin's depths be anything: for those who write them outside the kernels.
     void forget_farthest(int index);
     BinState& state(int index) { return m_states[static_cast<size_t>(index)]; }

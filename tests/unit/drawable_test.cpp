@@ -127,6 +127,36 @@ TEST_F(DrawableTest, SwapExchangesThePixels) {
     EXPECT_EQ(read(GL_BACK), kGreen);
 }
 
+// Each buffer's own colours are blended with, and both see the same depths.
+TEST_F(DrawableTest, FrontAndBackAreDrawnAlike) {
+    open(Buffering::kDouble);
+    clear_to(kRed);
+    glDrawBuffer(GL_FRONT);
+    clear_to(kGreen);
+    glDrawBuffer(GL_FRONT_AND_BACK);
+    EXPECT_EQ(read(GL_BACK), kRed);
+    EXPECT_EQ(read(GL_FRONT), kGreen);
+    glClearDepth(1);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glColor4f(0, 0, 1, 0);
+    for (int twice = 0; twice < 2; ++twice) glRectf(-1, -1, 1, 1);  // the second is hidden: GL_LESS
+    glFlush();
+    EXPECT_EQ(window->screen[0], (Pixel{0, 255, 255, 255}));
+    EXPECT_EQ(read(GL_BACK), (Pixel{255, 0, 255, 255}));
+    EXPECT_EQ(read(GL_FRONT), (Pixel{0, 255, 255, 255}));
+    glDisable(GL_BLEND);
+    clear_to(kBlue);
+    EXPECT_EQ(read(GL_FRONT), kBlue);
+    EXPECT_EQ(read(GL_BACK), kBlue);
+    glDrawBuffer(GL_BACK);
+    clear_to(kRed);
+    EXPECT_EQ(read(GL_FRONT), kBlue);
+    EXPECT_EQ(read(GL_BACK), kRed);
+}
+
 TEST_F(DrawableTest, DepthBelongsToBoth) {
     open(Buffering::kDouble);
     glClearDepth(0.25);
