@@ -21,8 +21,8 @@ void begin_change(Context& ctx, Dirty what) {
 void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
                      const pipeline::VertexRange& range, bool w_is_one) {
     if (ctx.render_mode.mode != GL_RENDER) return capture_primitives(ctx, mode, input, range, w_is_one);
+    if (!ctx.surface.drawn) begin_picture(ctx);
     validate(ctx, input, w_is_one);
-    ctx.surface.drawn = true;
     ctx.renderer.draw(ctx.drawing.state, input, translate_mode(mode), range);
 }
 
@@ -47,6 +47,7 @@ void clear(Context& ctx, GLbitfield mask) {
     if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
     if (!check_framebuffer(ctx)) return;
     flush_vertices(ctx);
+    if (!ctx.surface.drawn) begin_picture(ctx);
     if (ctx.render_mode.mode != GL_RENDER) return;
     if (mask & GL_ACCUM_BUFFER_BIT) clear_accumulation(ctx);
     const raster::TargetFormat& target = ctx.surface.format;
@@ -55,8 +56,7 @@ void clear(Context& ctx, GLbitfield mask) {
     raster::BinClear clear{};
     for (unsigned c = 0; c < 4; ++c) clear.color_mask |= static_cast<std::uint8_t>(color.write_mask[c] << c);
     clear.stencil_mask = static_cast<std::uint8_t>(ctx.fragment_ops.stencil.write_mask);
-    clear.planes.color =
-        (mask & GL_COLOR_BUFFER_BIT) && draws_colors(ctx) && clear.color_mask != 0;
+    clear.planes.color = (mask & GL_COLOR_BUFFER_BIT) && draws_colors(ctx) && clear.color_mask != 0;
     clear.planes.depth =
         (mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits != 0 && ctx.fragment_ops.depth.write_mask;
     clear.planes.stencil =

@@ -28,6 +28,7 @@ enum class Buffering {
 
 // When a drawable asks its window for its size, which means waiting for the window system.
 enum class Follow {
+    kPictureBegins,   // waits only while the window is young; else takes what is known by then
     kOncePerPicture,  // unless it has done so since the last picture was shown
     kNow,
 };

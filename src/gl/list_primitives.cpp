@@ -70,6 +70,11 @@ void set_attributes(Context& ctx, const AttributeValue* values, std::uint32_t co
 
 void draw_batch(Context& ctx, const PrimitivesRecord& record) {
     flush_vertices(ctx);
+    std::array<AttributeValue, pipeline::kAttributeCount> before;
+    for (std::uint32_t i = 0; record.from_arrays && i < record.before_count; ++i) {
+        before[i] = record.before()[i];
+        before[i].value = ctx.vertex.current.values[before[i].attribute];
+    }
     set_attributes(ctx, record.before(), record.before_count);
     pipeline::VertexInput input;
     input.constants = ctx.vertex.current.values;
@@ -85,6 +90,7 @@ void draw_batch(Context& ctx, const PrimitivesRecord& record) {
         draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, record.w_is_one);
     }
     set_attributes(ctx, record.after(), record.after_count);
+    if (record.from_arrays) set_attributes(ctx, before.data(), record.before_count);
 }
 
 }  // namespace

@@ -255,7 +255,10 @@ void ListVertices::record_batch(DisplayList& list) {
 
     record.run_count = static_cast<std::uint32_t>(m_runs.size());
     record.before_count = static_cast<std::uint32_t>(std::popcount(m_constant));
-    record.after_count = static_cast<std::uint32_t>(std::popcount(m_set));
+    // Arrays leave the current values as they were: as the reference has it, where GL leaves them
+    // indeterminate.
+    const auto left = m_from_arrays ? decltype(m_set){} : m_set;
+    record.after_count = static_cast<std::uint32_t>(std::popcount(left));
     record.vertex_count = m_count;
     record.w_is_one = record.streams[0].components < 4;
     record.from_arrays = m_from_arrays;
@@ -271,7 +274,7 @@ void ListVertices::record_batch(DisplayList& list) {
     auto* runs = reinterpret_cast<PrimitiveRun*>(&made + 1);
     auto* values = reinterpret_cast<AttributeValue*>(std::copy(m_runs.begin(), m_runs.end(), runs));
     values = store_values(values, m_constant, m_first);
-    values = store_values(values, m_set, m_last);
+    values = store_values(values, left, m_last);
     auto* out = reinterpret_cast<float*>(values);
     for (std::uint32_t i = 0; i < m_count; ++i) {
         const float* vertex = m_data.data() + std::size_t{i} * m_stride;

@@ -58,6 +58,14 @@ void follow_drawables(Context& ctx) {
     use_target(ctx, ctx.surface.draw.get());
 }
 
+void begin_picture(Context& ctx) {
+    ctx.surface.drawn = true;
+    if (!ctx.surface.draw) return;
+    ctx.surface.draw->follow_window(Follow::kPictureBegins);
+    follow_drawables(ctx);
+    ctx.surface.drawn = true;
+}
+
 void present(Context& ctx) {
     begin_change(ctx, Dirty::kFramebuffer);
     const GLenum buffer = ctx.framebuffer.draw_buffer;

@@ -35,6 +35,10 @@ void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable);
 // To be called when a drawable of the context may have other buffers than before.
 void follow_drawables(Context& ctx);
 
+// The first drawing since a picture was shown: the window may have another size by now. Throws
+// std::bad_alloc.
+void begin_picture(Context& ctx);
+
 // Draws what is queued and shows it if there is anything new to be seen.
 void present(Context& ctx);
 

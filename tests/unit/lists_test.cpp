@@ -384,5 +384,33 @@ TEST_F(ListTest, LongListsAreWhole) {
     EXPECT_EQ(matrix[12], 80001.0f);
 }
 
+// GL leaves them indeterminate; the reference leaves them alone, and programs draw with what was there
+// before.
+TEST_F(ListTest, ArraysInListsLeaveTheCurrentValues) {
+    const GLfloat vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const GLfloat normals[] = {1, 0, 0, 1, 0, 0, 1, 0, 0};
+    const GLfloat colors[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glEnableClientState(GL_COLOR_ARRAY);
+    glVertexPointer(3, GL_FLOAT, 0, vertices);
+    glNormalPointer(GL_FLOAT, 0, normals);
+    glColorPointer(3, GL_FLOAT, 0, colors);
+    glNewList(77, GL_COMPILE);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEndList();
+    glNormal3f(0, 0, 1);
+    glColor4f(0.25f, 0.5f, 0.75f, 1);
+    glCallList(77);
+    GLfloat value[4];
+    glGetFloatv(GL_CURRENT_NORMAL, value);
+    EXPECT_EQ(value[0], 0);
+    EXPECT_EQ(value[2], 1);
+    glGetFloatv(GL_CURRENT_COLOR, value);
+    EXPECT_EQ(value[0], 0.25f);
+    EXPECT_EQ(value[2], 0.75f);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
 }  // namespace
 }  // namespace terrazzo::gl

@@ -250,6 +250,22 @@ TEST_F(Glx, FollowsTheWindowsSize) {
     glXDestroyContext(display, ctx);
 }
 
+// A program that resizes its window and draws on, without a word to GL: the second picture has the new size.
+TEST_F(Glx, AYoungWindowIsFollowedWithoutViewport) {
+    const GLXFBConfig chosen = double_buffered();
+    const auto shown = window(chosen, 32, 32);
+    const GLXContext ctx = context(chosen);
+    ASSERT_TRUE(glXMakeCurrent(display, shown->id(), ctx));
+    glViewport(0, 0, 300, 200);
+    shown->resize(300, 200);
+    for (const Pixel& color : {kRed, kGreen}) {
+        clear_to(color);
+        glXSwapBuffers(display, shown->id());
+    }
+    EXPECT_EQ(shown->pixel(299, 199), kGreen);
+    glXDestroyContext(display, ctx);
+}
+
 // A window that changes under a program that never says Viewport again.
 TEST_F(Glx, AWindowResizedWhileDrawing) {
     const GLXFBConfig chosen = double_buffered();

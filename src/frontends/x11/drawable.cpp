@@ -4,8 +4,11 @@
 // due: the drawable's size, and that the server has read the shared memory. By then it has long arrived.
 #include "frontends/x11/drawable.h"
 
+#include <xcb/xcbext.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -94,7 +97,29 @@ std::optional<Geometry> ServerDrawable::take_answer() {
     return answer;
 }
 
+// Programs give their windows a size, map and move them around the first pictures: these are worth waiting
+// for.
+void ServerDrawable::follow_answer() {
+    constexpr int kYoung = 4;  // pictures
+    if (!m_asked || !m_connection.xcb) return;
+    std::optional<Geometry> answer;
+    if (m_swaps <= kYoung) {
+        answer = take_answer();
+    } else {
+        void* reply = nullptr;
+        xcb_generic_error_t* error = nullptr;
+        if (!xcb_poll_for_reply(m_connection.xcb, m_asked->sequence, &reply, &error)) return;
+        m_asked.reset();
+        if (const auto* known = static_cast<xcb_get_geometry_reply_t*>(reply))
+            answer = Geometry{known->width, known->height, known->depth};
+        std::free(reply);
+        std::free(error);
+    }
+    if (answer) resize(answer->width, answer->height);
+}
+
 void ServerDrawable::follow_window(gl::Follow when) {
+    if (when == gl::Follow::kPictureBegins) return follow_answer();
     if (!m_connection.xcb || (m_followed && when == gl::Follow::kOncePerPicture)) return;
     m_followed = true;
     take_answer();

@@ -63,6 +63,7 @@ class ServerDrawable : public gl::Drawable {
     void put(int x, int y, int width, int height);
     void show(int x, int y, int width, int height);
     std::optional<Geometry> take_answer();
+    void follow_answer();
     void resize(int width, int height);
 
     Connection m_connection;  // its xcb is null once the drawable is abandoned
