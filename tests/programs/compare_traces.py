@@ -21,7 +21,7 @@ EXCEPTIONS = {
     "md-redbook-multisamp": "asks for a multisampled window; there are none",
     "mujoco-win": "uses glClipControl and 32-bit float depth, which are not offered",
     "neverball": "uses anisotropic filtering, which is not offered",
-    "osgspotlight": "a filtered light texture differs by up to 6 of 255 in 2.5 % of the pixels: cause not known",
+    "osgspotlight": "uses anisotropic filtering, which is not offered",
     "osgteapot": "Mesa keeps the old ambient when GL_COLOR_MATERIAL is enabled again with the same colour",
 }
 

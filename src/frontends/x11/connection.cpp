@@ -4,17 +4,11 @@
 #include <xcb/shm.h>
 
 #include <bit>
-#include <cstdlib>
-#include <memory>
+
+#include "frontends/x11/reply.h"
 
 namespace terrazzo::x11 {
 namespace {
-
-struct FreeReply {
-    void operator()(void* reply) const { std::free(reply); }
-};
-template <class T>
-using Reply = std::unique_ptr<T, FreeReply>;
 
 std::optional<ImageFormat> image_format(const xcb_setup_t* setup, std::uint8_t depth) {
     for (auto it = xcb_setup_pixmap_formats_iterator(setup); it.rem; xcb_format_next(&it)) {

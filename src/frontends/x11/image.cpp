@@ -8,16 +8,9 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "frontends/x11/reply.h"
+
 namespace terrazzo::x11 {
-namespace {
-
-struct FreeReply {
-    void operator()(void* reply) const { std::free(reply); }
-};
-template <class T>
-using Reply = std::unique_ptr<T, FreeReply>;
-
-}  // namespace
 
 Image::Image(xcb_connection_t* connection, bool may_share, const ImageFormat& format, int width, int height)
     : m_connection(connection), m_format(format), m_width(width), m_height(height) {
