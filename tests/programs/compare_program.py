@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A known program, unmodified, on Terrazzo: it runs, and its pictures are Mesa's.
 
-usage: compare_program.py --terrazzo COMMAND --vendor FOLDER [--seconds S] [--egl] PROGRAM [ARGUMENTS...]
+usage: compare_program.py --terrazzo COMMAND --vendor FOLDER [--seconds S] [--egl] [--exception WHY] PROGRAM [ARGUMENTS...]
 First the program runs for some seconds under `terrazzo run`, which must be told of its frames (so they are ours and not
 another vendor's) and of no command that is not implemented. Then what it does on Mesa is traced, and the trace replayed
 on both: that makes its times and its random numbers the same. Exits with 77 when the program or apitrace is missing.
@@ -52,6 +52,7 @@ def main():
     parser.add_argument("--vendor", required=True)
     parser.add_argument("--seconds", type=float, default=4)
     parser.add_argument("--egl", action="store_true")
+    parser.add_argument("--exception", help="why the pictures differ; they are printed and not judged")
     parser.add_argument("program")
     parser.add_argument("arguments", nargs=argparse.REMAINDER)
     options = parser.parse_args()
@@ -75,7 +76,11 @@ def main():
         lines = replay.compare(trace, mesa, ours, 4) if trace.exists() else []
         if not lines:
             print("  nothing to compare: the program shows no frame that can be repeated")
-        good &= replay.judge(lines)
+        same = replay.judge(lines)
+        if options.exception:
+            print("  exception:", options.exception)
+        else:
+            good &= same
         sys.exit(not good)
 
 

@@ -1,4 +1,5 @@
-// EGL as programs use it: platforms, configurations, contexts, surfaces, fences, errors. Run by on_display.py.
+// EGL as programs use it: platforms, configurations, contexts, surfaces, fences, errors. Run by
+// on_display.py.
 #include <array>
 #include <cstring>
 #include <memory>
@@ -61,12 +62,15 @@ class Egl : public testing::Test {
         x = XOpenDisplay(nullptr);
         ASSERT_NE(x, nullptr);
         open(eglGetPlatformDisplay(EGL_PLATFORM_X11_KHR, x, nullptr));
+        // However it is asked for, and once it is initialised.
+        ASSERT_EQ(eglGetDisplay(x), egl);
+        ASSERT_EQ(eglGetPlatformDisplay(EGL_PLATFORM_X11_KHR, x, nullptr), egl);
     }
     void open_surfaceless() { open(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)); }
 
     EGLConfig config(int surface_type, std::vector<EGLint> list = {}) {
-        for (const EGLint value : {EGL_SURFACE_TYPE, surface_type, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8,
-                                   EGL_DEPTH_SIZE, 16, EGL_NONE})
+        for (const EGLint value : {EGL_SURFACE_TYPE, surface_type, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                   EGL_RED_SIZE, 8, EGL_DEPTH_SIZE, 16, EGL_NONE})
             list.push_back(value);
         EGLConfig found = nullptr;
         EGLint count = 0;
@@ -127,8 +131,8 @@ TEST_F(Egl, WindowsAreSwapped) {
     EXPECT_EQ(value, 1);
     const EGLint damage[] = {0, 0, 10, 10};
     clear_to(kRed);
-    EXPECT_TRUE(command<EGLBoolean(EGLDisplay, EGLSurface, const EGLint*, EGLint)>("eglSwapBuffersWithDamageKHR")(
-        egl, surface, damage, 1));
+    EXPECT_TRUE(command<EGLBoolean(EGLDisplay, EGLSurface, const EGLint*, EGLint)>(
+        "eglSwapBuffersWithDamageKHR")(egl, surface, damage, 1));
     EXPECT_EQ(shown->pixel(0, 299), kRed);
     EXPECT_EQ(eglGetCurrentSurface(EGL_DRAW), surface);
     EXPECT_EQ(eglGetCurrentContext(), ctx);
@@ -205,13 +209,14 @@ TEST_F(Egl, TheProcessorIsADevice) {
     EGLint count = 0;
     ASSERT_TRUE(query(1, &device, &count));
     ASSERT_EQ(count, 1);
-    const char* const text = command<const char*(EGLDeviceEXT, EGLint)>("eglQueryDeviceStringEXT")(device, EGL_EXTENSIONS);
+    const char* const text =
+        command<const char*(EGLDeviceEXT, EGLint)>("eglQueryDeviceStringEXT")(device, EGL_EXTENSIONS);
     ASSERT_NE(text, nullptr);
     EXPECT_NE(std::string(text).find("EGL_MESA_device_software"), std::string::npos);
     open(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
     EGLAttrib same = 0;
-    EXPECT_TRUE(command<EGLBoolean(EGLDisplay, EGLint, EGLAttrib*)>("eglQueryDisplayAttribEXT")(egl, EGL_DEVICE_EXT,
-                                                                                                &same));
+    EXPECT_TRUE(command<EGLBoolean(EGLDisplay, EGLint, EGLAttrib*)>("eglQueryDisplayAttribEXT")(
+        egl, EGL_DEVICE_EXT, &same));
     EXPECT_NE(same, 0);
 }
 
@@ -223,14 +228,23 @@ TEST_F(Egl, ConfigurationsAreSortedAsSpecified) {
     EGLint value = 0;
     EXPECT_TRUE(eglGetConfigAttrib(egl, config(EGL_WINDOW_BIT), EGL_DEPTH_SIZE, &value));
     EXPECT_EQ(value, 16);  // the smallest that will do
-    EXPECT_TRUE(eglGetConfigAttrib(egl, config(EGL_WINDOW_BIT, {EGL_STENCIL_SIZE, 1}), EGL_STENCIL_SIZE, &value));
+    EXPECT_TRUE(
+        eglGetConfigAttrib(egl, config(EGL_WINDOW_BIT, {EGL_STENCIL_SIZE, 1}), EGL_STENCIL_SIZE, &value));
     EXPECT_EQ(value, 8);
-    EXPECT_TRUE(eglGetConfigAttrib(egl, config(EGL_WINDOW_BIT, {EGL_ALPHA_SIZE, 8}), EGL_BUFFER_SIZE, &value));
+    EXPECT_TRUE(
+        eglGetConfigAttrib(egl, config(EGL_WINDOW_BIT, {EGL_ALPHA_SIZE, 8}), EGL_BUFFER_SIZE, &value));
     EXPECT_EQ(value, 32);
     const EGLint es[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES2_BIT, EGL_NONE};
     EGLConfig found = nullptr;
     EXPECT_TRUE(eglChooseConfig(egl, es, &found, 1, &count));
     EXPECT_EQ(count, 0);
+    // The list of xscreensaver's hacks, which then draw with OpenGL.
+    const EGLint hacks[] = {EGL_SURFACE_TYPE,    EGL_WINDOW_BIT,    EGL_RED_SIZE, 8,
+                            EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT, EGL_NONE};
+    EXPECT_TRUE(eglChooseConfig(egl, hacks, &found, 1, &count));
+    EXPECT_EQ(count, 1);
+    EXPECT_FALSE(eglBindAPI(EGL_OPENGL_ES_API));
+    EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);
     const EGLint unknown[] = {0x7777, 1, EGL_NONE};
     EXPECT_FALSE(eglChooseConfig(egl, unknown, &found, 1, &count));
     EXPECT_EQ(eglGetError(), EGL_BAD_ATTRIBUTE);
@@ -302,7 +316,8 @@ TEST_F(Egl, Fences) {
     EXPECT_FALSE(eglDestroySync(egl, sync));
     EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);
     EXPECT_EQ(eglCreateSync(egl, EGL_SYNC_CL_EVENT, nullptr), EGL_NO_SYNC);
-    EXPECT_NE(command<EGLSyncKHR(EGLDisplay, EGLenum, const EGLint*)>("eglCreateSyncKHR")(egl, EGL_SYNC_FENCE_KHR, nullptr),
+    EXPECT_NE(command<EGLSyncKHR(EGLDisplay, EGLenum, const EGLint*)>("eglCreateSyncKHR")(
+                  egl, EGL_SYNC_FENCE_KHR, nullptr),
               EGL_NO_SYNC_KHR);
 }
 

@@ -60,9 +60,10 @@ constexpr window::Attribute<Config> kAttributes[] = {
      [](const Config& c) { return int{c.visual.has_value()}; }},
     {EGL_NATIVE_VISUAL_ID, Match::kIgnored, Order::kNone, 0,
      [](const Config& c) { return c.visual ? static_cast<int>(c.visual->id) : 0; }},
-    // OpenGL ES is the standard wish: programs that want OpenGL say so.
+    // OpenGL ES is the standard wish, and programs that draw with OpenGL leave it at that (xscreensaver's):
+    // it is granted, though eglBindAPI knows no OpenGL ES.
     {EGL_RENDERABLE_TYPE, Match::kMask, Order::kNone, EGL_OPENGL_ES_BIT,
-     [](const Config&) { return EGL_OPENGL_BIT; }},
+     [](const Config&) { return EGL_OPENGL_BIT | EGL_OPENGL_ES_BIT; }},
     {EGL_SURFACE_TYPE, Match::kMask, Order::kNone, EGL_WINDOW_BIT,
      [](const Config& c) { return c.surface_types(); }},
     {EGL_TRANSPARENT_TYPE, Match::kExact, Order::kNone, EGL_NONE, [](const Config&) { return EGL_NONE; }},

@@ -152,8 +152,8 @@ bool connect(Display& display) {
     display.connection = x11::inspect(connection);
     const auto count = static_cast<int>(display.connection.screens.size());
     if (count > 0) {
-        display.screen = std::clamp(screen, 0, count - 1);
-        display.configs = make_configs(&display.connection.screens[static_cast<std::size_t>(display.screen)]);
+        const auto number = static_cast<std::size_t>(std::clamp(screen, 0, count - 1));
+        display.configs = make_configs(&display.connection.screens[number]);
         return true;
     }
     if (display.owns_connection) xcb_disconnect(connection);

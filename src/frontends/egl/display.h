@@ -54,7 +54,7 @@ struct Display {
     Platform platform = Platform::kSurfaceless;
     EGLenum name = EGL_NONE;  // as the program called the platform
     void* native = nullptr;   // its display, null for the default one
-    int screen = 0;
+    int screen = 0;  // as the program asked for it; -1: the default one
     EGLDeviceEXT device = EGL_NO_DEVICE_EXT;
 
     bool is_initialized = false;
