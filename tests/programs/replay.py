@@ -14,9 +14,9 @@ from PIL import Image
 
 
 WITHIN_ONE = 0.999  # of a frame's pixels
-# Mesa's replay often keeps the size and the pixels that a window had before the tool resized it: then its front buffer is
-# black, or filled in one corner. What differs from that is told and not judged.
-STALE = "(Mesa's front buffer may be stale: not judged)"
+# In a trace's first picture Mesa often has the size and the pixels that the window had before the tool resized it: black,
+# or filled in one corner. Where that is all there is to compare, what differs is told and not judged.
+STALE = "(Mesa's first picture may be stale: not judged)"
 
 
 def run(command, environment, **options):
@@ -34,14 +34,14 @@ def calls_named(trace, name, environment):
 
 
 def frames_of(trace, environment, wanted):
-    """Numbers of calls that end a frame, spread over the trace; and whether the program draws to the front."""
+    """Numbers of calls that end a frame, spread over the trace; and whether there is but one, the first."""
     swaps = calls_named(trace, "SwapBuffers", environment)
     if not swaps:
         flushes = calls_named(trace, "glFlush", environment) or calls_named(trace, "glFinish", environment)
         return flushes[-1:], True
     swaps = swaps[1:] or swaps
     last = len(swaps) - 1
-    return sorted({swaps[i * last // max(1, wanted - 1)] for i in range(min(wanted, len(swaps)))}), False
+    return sorted({swaps[i * last // max(1, wanted - 1)] for i in range(min(wanted, len(swaps)))}), len(swaps) == 1
 
 
 def pictures(tool, trace, calls, folder, environment):
@@ -63,7 +63,7 @@ def compare(trace, theirs, ours, wanted=5, keep=None):
             return []
         expected, _ = pictures(tool, trace, calls, folder / "theirs", theirs)
         if single:
-            # Mesa's replays of front buffers race with the X server: only pictures that repeat, and show something, count.
+            # Mesa's first pictures race with the X server: only those that repeat, and show something, count.
             again, _ = pictures(tool, trace, calls, folder / "again", theirs)
             expected = {call: picture for call, picture in expected.items()
                         if call in again and numpy.array_equal(picture, again[call]) and picture.any()}
