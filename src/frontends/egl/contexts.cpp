@@ -82,12 +82,6 @@ std::shared_ptr<egl::Context> find_context(egl::Display& display, EGLContext han
     return found == display.contexts.end() ? nullptr : found->second;
 }
 
-std::shared_ptr<egl::Surface> find_surface(egl::Display& display, EGLSurface handle) {
-    const auto guard = egl::lock();
-    const auto found = display.surfaces.find(handle);
-    return found == display.surfaces.end() ? nullptr : found->second;
-}
-
 bool compatible(const egl::Context& context, const egl::Surface& surface) {
     return !context.config || context.config->color == surface.config->color;
 }
@@ -170,7 +164,7 @@ EGLBoolean eglMakeCurrent(EGLDisplay handle, EGLSurface draw, EGLSurface read,
     if (!display) return EGL_FALSE;
     const auto context = find_context(*display, context_handle);
     if (!context) return egl::fail(context_handle == EGL_NO_CONTEXT ? EGL_BAD_MATCH : EGL_BAD_CONTEXT);
-    const auto to = find_surface(*display, draw), from = find_surface(*display, read);
+    const auto to = egl::find_surface(*display, draw), from = egl::find_surface(*display, read);
     if ((draw != EGL_NO_SURFACE && !to) || (read != EGL_NO_SURFACE && !from))
         return egl::fail(EGL_BAD_SURFACE);
     if (!to != !from) return egl::fail(EGL_BAD_MATCH);

@@ -101,7 +101,6 @@ Display* get_display(EGLenum platform, void* native, int screen) {
         default:
             break;
     }
-    if (display->platform == Platform::kSurfaceless) display->device = software_device();
     return displays().emplace_back(std::move(display)).get();
 }
 
@@ -110,6 +109,12 @@ Display* find_display(EGLDisplay wanted) {
     const auto found =
         std::ranges::find_if(displays(), [&](const auto& display) { return display.get() == wanted; });
     return found == displays().end() || (*found)->is_closed ? nullptr : found->get();
+}
+
+std::shared_ptr<Surface> find_surface(Display& display, EGLSurface surface) {
+    const auto guard = lock();
+    const auto found = display.surfaces.find(surface);
+    return found == display.surfaces.end() ? nullptr : found->second;
 }
 
 Display* initialized_display(EGLDisplay wanted) {

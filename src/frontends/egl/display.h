@@ -11,7 +11,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "frontends/egl/config.h"
@@ -54,8 +53,7 @@ struct Display {
     Platform platform = Platform::kSurfaceless;
     EGLenum name = EGL_NONE;  // as the program called the platform
     void* native = nullptr;   // its display, null for the default one
-    int screen = 0;  // as the program asked for it; -1: the default one
-    EGLDeviceEXT device = EGL_NO_DEVICE_EXT;
+    int screen = 0;           // as the program asked for it; -1: the default one
 
     bool is_initialized = false;
     bool is_closed = false;  // the program has closed the native display
@@ -73,6 +71,9 @@ struct Display {
 Display* get_display(EGLenum platform, void* native, int screen);
 // Null for what is no display.
 Display* find_display(EGLDisplay display);
+
+// Null for what is no surface of the display, EGL_NO_SURFACE among it.
+std::shared_ptr<Surface> find_surface(Display& display, EGLSurface surface);
 
 // Guards displays and all that they hold.
 std::unique_lock<std::mutex> lock();

@@ -18,12 +18,6 @@ namespace x11 = terrazzo::x11;
 
 namespace {
 
-std::shared_ptr<egl::Surface> find_surface(egl::Display& display, EGLSurface handle) {
-    const auto guard = egl::lock();
-    const auto found = display.surfaces.find(handle);
-    return found == display.surfaces.end() ? nullptr : found->second;
-}
-
 EGLSurface remember(egl::Display& display, std::shared_ptr<egl::Surface> surface) {
     const auto guard = egl::lock();
     const EGLSurface made = surface.get();
@@ -194,7 +188,7 @@ EGLSurface eglCreatePbufferFromClientBuffer(EGLDisplay handle, EGLenum, EGLClien
 EGLBoolean eglDestroySurface(EGLDisplay handle, EGLSurface surface) {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const auto last = find_surface(*display, surface);
+    const auto last = egl::find_surface(*display, surface);
     if (!last) return egl::fail(EGL_BAD_SURFACE);
     const auto guard = egl::lock();
     display->surfaces.erase(surface);
@@ -205,7 +199,7 @@ EGLBoolean eglDestroySurface(EGLDisplay handle, EGLSurface surface) {
 EGLBoolean eglQuerySurface(EGLDisplay handle, EGLSurface surface_handle, EGLint attribute, EGLint* value) {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const auto surface = find_surface(*display, surface_handle);
+    const auto surface = egl::find_surface(*display, surface_handle);
     if (!surface) return egl::fail(EGL_BAD_SURFACE);
     if (!value) return egl::fail(EGL_BAD_PARAMETER);
     egl::set_error(EGL_SUCCESS);
@@ -270,7 +264,7 @@ EGLBoolean eglQuerySurface(EGLDisplay handle, EGLSurface surface_handle, EGLint 
 EGLBoolean eglSurfaceAttrib(EGLDisplay handle, EGLSurface surface_handle, EGLint attribute, EGLint value) {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const auto surface = find_surface(*display, surface_handle);
+    const auto surface = egl::find_surface(*display, surface_handle);
     if (!surface) return egl::fail(EGL_BAD_SURFACE);
     switch (attribute) {
         case EGL_SWAP_BEHAVIOR:
@@ -304,7 +298,7 @@ EGLBoolean eglSwapInterval(EGLDisplay handle, EGLint interval) {
 EGLBoolean eglSwapBuffers(EGLDisplay handle, EGLSurface surface_handle) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const auto surface = find_surface(*display, surface_handle);
+    const auto surface = egl::find_surface(*display, surface_handle);
     if (!surface) return egl::fail(EGL_BAD_SURFACE);
     egl::set_error(EGL_SUCCESS);
     gl::Context* const ctx = context_drawing_to(*surface);
@@ -337,7 +331,7 @@ EGLBoolean eglSwapBuffersWithDamageEXT(EGLDisplay display, EGLSurface surface, c
 EGLBoolean eglCopyBuffers(EGLDisplay handle, EGLSurface surface_handle, EGLNativePixmapType pixmap) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const auto surface = find_surface(*display, surface_handle);
+    const auto surface = egl::find_surface(*display, surface_handle);
     if (!surface) return egl::fail(EGL_BAD_SURFACE);
     const auto id = static_cast<xcb_drawable_t>(pixmap);
     const auto geometry = display->connection.xcb ? x11::geometry(display->connection.xcb, id) : std::nullopt;
@@ -367,7 +361,7 @@ EGLBoolean eglCopyBuffers(EGLDisplay handle, EGLSurface surface_handle, EGLNativ
 EGLBoolean eglBindTexImage(EGLDisplay handle, EGLSurface surface_handle, EGLint buffer) {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    if (!find_surface(*display, surface_handle)) return egl::fail(EGL_BAD_SURFACE);
+    if (!egl::find_surface(*display, surface_handle)) return egl::fail(EGL_BAD_SURFACE);
     return egl::fail(buffer == EGL_BACK_BUFFER ? EGL_BAD_MATCH : EGL_BAD_PARAMETER);
 }
 

@@ -57,13 +57,11 @@ void forget_dead_windows(DisplayState& display) {
 
 std::shared_ptr<Drawable> drawable_for(DisplayState& display, GLXDrawable name, const Config* config) {
     if (auto known = registry().drawable(display, name)) {
-        // A window keeps the buffers of the configuration that it was first drawn with, until another is
-        // wanted.
-        if (!known->is_x_window || !config ||
-            known->config->buffer_format().target == config->buffer_format().target) {
-            if (!known->is_x_window || !config || known->config->double_buffered == config->double_buffered)
-                return known;
-        }
+        // A window keeps the buffers that it was first drawn with until a context of another kind comes.
+        const bool other = known->is_x_window && config &&
+                           (known->config->target_format() != config->target_format() ||
+                            known->config->double_buffered != config->double_buffered);
+        if (!other) return known;
     }
     const auto window = static_cast<xcb_window_t>(name);
     const xcb_visualid_t visual = x11::window_visual(display.connection.xcb, window);

@@ -22,12 +22,6 @@
 namespace terrazzo::x11 {
 namespace {
 
-raster::TargetFormat checked(const BufferFormat& format) {
-    raster::TargetFormat target = format.target;
-    target.color = format.visual.color;
-    return target;
-}
-
 // Of layouts kRgba8, kBgra8 and kRgb565; alpha is 255.
 std::vector<std::byte> rgba_rows(Image& image, pipeline::PixelLayout layout) {
     std::vector<std::byte> out(static_cast<std::size_t>(image.width()) *
@@ -85,7 +79,7 @@ void ServerDrawable::resize(int width, int height) {
     width = std::clamp(width, 1, gl::kMaxViewportSize);
     height = std::clamp(height, 1, gl::kMaxViewportSize);
     if (width == this->width() && height == this->height()) return;
-    allocate(width, height, checked(m_format));
+    allocate(width, height, m_format.target);
     m_image.reset();
     m_age = 0;
 }
