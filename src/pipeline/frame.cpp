@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "pipeline/float_environment.h"
 #include "pipeline/statistics.h"
@@ -102,7 +103,7 @@ void Frame::add(const BinClear& clear) {
     for (int row = clear.y0 / kBinSize; row <= (clear.y1 - 1) / kBinSize; ++row) {
         for (int column = clear.x0 / kBinSize; column <= (clear.x1 - 1) / kBinSize; ++column) {
             const int bin = row * across + column;
-            if (everything && !m_counts_samples &&
+            if (everything && m_sample_counters.empty() &&
                 raster::clears_whole_bin(clear, *m_target, column * kBinSize, row * kBinSize))
                 m_bins[static_cast<size_t>(bin)] = {};  // what was to be drawn here will not be seen
             push(bin, command);
@@ -144,13 +145,16 @@ void Frame::draw_bins() const {
     }
 }
 
-// A fragment passes the tests or not whatever buffer its colour goes to: the first time is for the other buffer, then
-// depth and stencil go back to where they were. Rare enough to be slow. Samples are counted twice.
+// A fragment passes the tests or not whatever buffer its colour goes to: the first time is for the other
+// buffer, then depth and stencil go back to where they were. Samples count once. Rare enough to be slow.
 void Frame::draw_other_color() {
     const raster::Target::Depths before = m_target->save_depths();
+    std::vector<std::pair<uint64_t*, uint64_t>> counters;
+    for (uint64_t* const counter : m_sample_counters) counters.emplace_back(counter, *counter);
     m_target->exchange_color();
     draw_bins();
     m_target->exchange_color();
+    for (const auto& [counter, count] : counters) *counter = count;
     m_target->restore_depths(before);
 }
 
@@ -175,7 +179,7 @@ void Frame::reset() {
     std::fill(m_bins.begin(), m_bins.end(), BinList{});
     m_kept.clear();
     m_kept_bytes = 0;
-    m_counts_samples = false;
+    m_sample_counters.clear();
     m_arena.reset();
     if (statistics.enabled) statistics.primitives += m_primitives;
     m_primitives = 0;

@@ -68,7 +68,7 @@ class Frame {
     // Keeps a fragment state alive until the frame has been drawn.
     void keep(std::shared_ptr<const FragmentBlock> block) {
         if (!m_kept.empty() && m_kept.back() == block) return;
-        m_counts_samples = m_counts_samples || block->fill.key.counts_samples;
+        if (block->fill.key.counts_samples) m_sample_counters.push_back(block->fill.samples_passed);
         const size_t bytes = block->size_in_bytes();
         keep(std::move(block), bytes);
     }
@@ -122,7 +122,7 @@ class Frame {
     size_t m_commands = 0;
     size_t m_primitives = 0;
     bool m_both = false;
-    bool m_counts_samples = false;  // some primitive does
+    std::vector<uint64_t*> m_sample_counters;  // of primitives that count samples
 };
 
 }  // namespace terrazzo::pipeline

@@ -1,7 +1,9 @@
 // Front and back buffers: which one is drawn to, read and shown, and what a switch between them keeps.
+#define GL_GLEXT_PROTOTYPES
 #include "gl/drawable.h"
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -142,7 +144,12 @@ TEST_F(DrawableTest, FrontAndBackAreDrawnAlike) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glColor4f(0, 0, 1, 0);
+    glBeginQuery(GL_SAMPLES_PASSED, 1);
     for (int twice = 0; twice < 2; ++twice) glRectf(-1, -1, 1, 1);  // the second is hidden: GL_LESS
+    glEndQuery(GL_SAMPLES_PASSED);
+    GLuint samples = 0;
+    glGetQueryObjectuiv(1, GL_QUERY_RESULT, &samples);
+    EXPECT_EQ(samples, GLuint{kSize * kSize});
     glFlush();
     EXPECT_EQ(window->screen[0], (Pixel{0, 255, 255, 255}));
     EXPECT_EQ(read(GL_BACK), (Pixel{255, 0, 255, 255}));

@@ -91,9 +91,7 @@ const Procedure kProcedures[] = {
 }  // namespace
 
 const Procedure* find_procedure(const char* name) {
-    const auto found = std::ranges::find_if(
-        kProcedures, [&](const Procedure& procedure) { return std::strcmp(procedure.name, name) == 0; });
-    return found == std::end(kProcedures) ? nullptr : found;
+    return window::find_procedure(kProcedures, name);
 }
 
 const char* client_extensions() {

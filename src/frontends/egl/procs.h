@@ -3,17 +3,12 @@
 
 #include <EGL/egl.h>
 
+#include "frontends/window/procedure.h"
+
 namespace terrazzo::egl {
 
-using Function = void (*)();
-
-struct Procedure {
-    const char* name;
-    Function address;
-    // For functions of displays that libglvnd does not know by itself; see frontends/glx/procs.h.
-    Function dispatch = nullptr;
-    int* dispatch_index = nullptr;
-};
+using window::Function;
+using window::Procedure;
 
 // Null for what is no function of ours.
 const Procedure* find_procedure(const char* name);

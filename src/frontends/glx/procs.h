@@ -4,19 +4,12 @@
 #include <GL/glx.h>
 
 #include "frontends/glx/glvnd_calls.h"
+#include "frontends/window/procedure.h"
 
 namespace terrazzo::glx {
 
-using Function = void (*)();
-
-struct Procedure {
-    const char* name;
-    Function address;
-    // For functions that libglvnd does not know by itself: the way from there to the vendor, and the number
-    // that libglvnd has given the function. Null for others.
-    Function dispatch = nullptr;
-    int* dispatch_index = nullptr;
-};
+using window::Function;
+using window::Procedure;
 
 // Null for what is no function of ours.
 const Procedure* find_procedure(const char* name);
