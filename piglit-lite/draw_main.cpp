@@ -1,6 +1,7 @@
 // The child of piglit-lite: draws one scene with one library and returns its planes and noted values.
 // Links only libc and libstdc++ besides the library under test.
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "kit/child.h"
@@ -22,6 +23,39 @@ void clear_to_background(const kit::Gl& gl) {
     gl.ClearColor(0, 0, 0, 0);
 }
 
+// A frame buffer object like the window, in its place while a scene is drawn.
+class ObjectInWindow {
+  public:
+    ObjectInWindow(const kit::Gl& gl, int width, int height) : m_gl(gl), m_width(width), m_height(height) {
+        GLuint object;
+        m_gl.GenFramebuffers(1, &object);
+        m_gl.BindFramebuffer(GL_FRAMEBUFFER, object);
+        attach(GL_COLOR_ATTACHMENT0, GL_RGBA8);
+        attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8);
+    }
+    // What it holds becomes the window's.
+    void show() const {
+        m_gl.Disable(GL_SCISSOR_TEST);
+        m_gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
+        m_gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        m_gl.BlitFramebuffer(0, 0, m_width, m_height, 0, 0, m_width, m_height,
+                             GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+        m_gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    }
+
+  private:
+    void attach(GLenum point, GLenum format) const {
+        GLuint renderbuffer;
+        m_gl.GenRenderbuffers(1, &renderbuffer);
+        m_gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+        m_gl.RenderbufferStorage(GL_RENDERBUFFER, format, m_width, m_height);
+        m_gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, renderbuffer);
+    }
+
+    const kit::Gl& m_gl;
+    int m_width, m_height;
+};
+
 nlohmann::json draw(const nlohmann::json& arguments) {
     const auto name = arguments.at("scene").get<std::string>();
     const piglit::Scene* scene = piglit::find_scene(name);
@@ -30,11 +64,14 @@ nlohmann::json draw(const nlohmann::json& arguments) {
     kit::ContextOptions options = scene->context;
     if (arguments.value("in_rgba", false)) options.format = OSMESA_RGBA;
     const kit::OffscreenContext context(library, options);
+    std::optional<ObjectInWindow> object;
+    if (arguments.value("in_object", false)) object.emplace(library.gl, options.width, options.height);
     clear_to_background(library.gl);
     piglit::Notes notes;
     scene->draw(library.gl, notes);
     nlohmann::json result{{"errors", nlohmann::json::array()}, {"values", nlohmann::json::array()}};
     for (const GLenum error : context.take_errors()) result["errors"].push_back(kit::error_name(error));
+    if (object) object->show();
     library.gl.Finish();
     for (const piglit::NotedValue& noted : notes.all())
         result["values"].push_back({noted.name, noted.value, noted.tolerance});

@@ -32,14 +32,14 @@ fs::path own_folder() {
     return fs::read_symlink("/proc/self/exe").parent_path();
 }
 
-std::vector<const Scene*> chosen_scenes(const std::vector<std::string>& filters) {
+std::vector<const Scene*> chosen_scenes(const std::vector<std::string>& filters, bool in_object) {
     std::vector<const Scene*> chosen;
     for (const Scene& scene : scenes()) {
         bool wanted = filters.empty();
         for (const std::string& filter : filters)
             wanted |=
                 std::string(scene.name).find(filter) != std::string::npos || chapter_of(scene) == filter;
-        if (wanted) chosen.push_back(&scene);
+        if (wanted && !(in_object && scene.of_window)) chosen.push_back(&scene);
     }
     return chosen;
 }
@@ -60,6 +60,7 @@ void define_options(CLI::App& app, CommandLine& line) {
         ->delimiter(',')
         ->capture_default_str();
     app.add_option("--isa", options.isas, "Instruction sets of ours; none: its own choice")->delimiter(',');
+    app.add_flag("--in-object", options.in_object, "Draw to a frame buffer object in the window's place");
     app.add_flag("!--no-softpipe", options.softpipe, "Leave softpipe out of the report");
     app.add_option("--jobs", options.jobs, "Scenes at a time")
         ->check(CLI::PositiveNumber)
@@ -113,7 +114,7 @@ void write_reports(const CommandLine& line, const std::vector<SceneReport>& repo
 }
 
 int run(CommandLine& line) {
-    const std::vector<const Scene*> chosen = chosen_scenes(line.filters);
+    const std::vector<const Scene*> chosen = chosen_scenes(line.filters, line.options.in_object);
     if (line.list) {
         for (const Scene* scene : chosen)
             fmt::print("{:<24} {:<44} {}\n", chapter_of(*scene), scene->name, scene->theme);

@@ -18,6 +18,7 @@ struct Options {
     std::vector<int> threads{0, 2};
     std::vector<std::string> isas{""};  // "" lets the library choose
     bool softpipe = true;               // draw Mesa's own second opinion, the bar to beat
+    bool in_object = false;             // draw to a frame buffer object in the window's place
     bool ours_is_softpipe =
         false;  // softpipe stands in for ours: how the comparison judges Mesa against itself
     unsigned jobs = 2;

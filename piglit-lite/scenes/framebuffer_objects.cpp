@@ -179,8 +179,6 @@ SCENE(fbo_blit,
     gl.Viewport(0, 0, 80, 60);
     clear(gl, 0.3F, 0.4F, 0.2F);
     lit_torus(gl, 60);
-    // What is compared of depth and stencil lies flat.
-    gl.Clear(GL_DEPTH_BUFFER_BIT);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilFunc(GL_ALWAYS, 5, 255);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);

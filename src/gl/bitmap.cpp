@@ -74,7 +74,7 @@ void mask_tiles(const Context& ctx, GLsizei width, const void* bitmap, const Pla
     for (int row = at.part.y0; row < at.part.y1; ++row) {
         const BitRow bits(bytes + static_cast<std::size_t>(row) * layout.row_stride, layout.first_bit, width,
                           store.lsb_first);
-        const int target = target_row(ctx, at.y + row);
+        const int target = ctx.surface.row(at.y + row);
         uint16_t* const tiles = masks + data.index(data.first_column, target / kTileSize);
         const int shift = target % kTileSize * kTileSize;
         for (int i = 0; i < data.across; ++i)
@@ -89,7 +89,8 @@ void draw_bitmap(Context& ctx, GLsizei width, GLsizei height, int x, int y, cons
     if (part.x0 >= part.x1 || part.y0 >= part.y1) return;
     pipeline::PixelRect rect;
     rect.x0 = x + part.x0, rect.x1 = x + part.x1;
-    rect.y0 = target_row(ctx, y + part.y1 - 1), rect.y1 = target_row(ctx, y + part.y0) + 1;
+    const raster::RowRange rows = ctx.surface.rows(y + part.y0, y + part.y1);
+    rect.y0 = static_cast<int>(rows.first), rect.y1 = static_cast<int>(rows.end);
     rect.data = raster::RectangleData::kMasks;
     const std::size_t tiles = lay_out_tiles(rect);
     rect.data_bytes = tiles * sizeof(uint16_t);

@@ -91,10 +91,10 @@ class Blit {
             to(4 * static_cast<size_t>(count()));
         for (int y = m_up.first; y < m_up.last; ++y) {
             const Between rows(m_up, y);
-            pipeline::read_color_float(m_source.target(), m_across.low, m_source.row(rows.first), width(),
-                                       low.data());
-            pipeline::read_color_float(m_source.target(), m_across.low, m_source.row(rows.second), width(),
-                                       high.data());
+            pipeline::read_color_float(m_source.target(), m_across.low, m_source.target().row(rows.first),
+                                       width(), low.data());
+            pipeline::read_color_float(m_source.target(), m_across.low, m_source.target().row(rows.second),
+                                       width(), high.data());
             for (int x = 0; x < count(); ++x) {
                 const Between columns(m_across, m_across.first + x);
                 const auto a = 4 * static_cast<size_t>(columns.first - m_across.low),
@@ -105,27 +105,26 @@ class Blit {
                     to[4 * static_cast<size_t>(x) + c] = below + rows.share * (above - below);
                 }
             }
-            pipeline::write_color(m_to, m_across.first, target_row(y), count(), to.data());
+            pipeline::write_color(m_to, m_across.first, m_to.row(y), count(), to.data());
         }
     }
 
   private:
     int width() const { return m_across.high - m_across.low; }
     int count() const { return m_across.last - m_across.first; }
-    int target_row(int y) const { return m_to.height() - 1 - y; }
 
     template <typename T, typename Read, typename Write>
     void copy(std::vector<T>& from, std::vector<T>& to, size_t components, Read read, Write write) const {
         from.resize(components * static_cast<size_t>(width()));
         to.resize(components * static_cast<size_t>(count()));
         for (int y = m_up.first; y < m_up.last; ++y) {
-            read(m_source.row(m_up.nearest(y)));
+            read(m_source.target().row(m_up.nearest(y)));
             for (int x = 0; x < count(); ++x) {
                 const auto column = static_cast<size_t>(m_across.nearest(m_across.first + x) - m_across.low);
                 std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(components * column), components,
                             to.begin() + static_cast<std::ptrdiff_t>(components * static_cast<size_t>(x)));
             }
-            write(target_row(y));
+            write(m_to.row(y));
         }
     }
 
@@ -159,8 +158,9 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
     pipeline::RasterState box;
     scissor_box(ctx, box);
     const Axis across(srcX0, srcX1, dstX0, dstX1, source.target().width(), box.x0, box.x1);
-    const Axis up(srcY0, srcY1, dstY0, dstY1, source.target().height(), ctx.surface.height - box.y1,
-                  ctx.surface.height - box.y0);
+    const raster::RowRange rows = ctx.surface.rows(box.y0, box.y1);
+    const Axis up(srcY0, srcY1, dstY0, dstY1, source.target().height(), static_cast<int>(rows.first),
+                  static_cast<int>(rows.end));
     if (across.first >= across.last || up.first >= up.last) return;
     ctx.surface.drawn = true;
     const Blit blit(ctx, source, across, up);

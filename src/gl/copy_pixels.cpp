@@ -36,7 +36,7 @@ class BufferRows {
     }
 
     void read_depths(int row, int first, int count, uint32_t* depths) const {
-        pipeline::read_depth(m_source.target(), m_x + first, m_source.row(m_y + row), count, depths);
+        pipeline::read_depth(m_source.target(), m_x + first, m_source.target().row(m_y + row), count, depths);
         const int from = m_source.target().format().depth_bits, to = m_ctx.surface.format.depth_bits;
         if (from == to && !changes_depths(m_ctx.pixels)) return;
         const auto maximum = [](int bits) { return static_cast<double>((uint64_t{1} << bits) - 1); };
@@ -48,7 +48,8 @@ class BufferRows {
     }
 
     void read_stencils(int row, int first, int count, uint8_t* values) const {
-        pipeline::read_stencil(m_source.target(), m_x + first, m_source.row(m_y + row), count, values);
+        pipeline::read_stencil(m_source.target(), m_x + first, m_source.target().row(m_y + row), count,
+                               values);
         if (!changes_stencils(m_ctx.pixels)) return;
         for (int i = 0; i < count; ++i) {
             uint32_t index = values[i];

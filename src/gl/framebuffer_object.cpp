@@ -33,9 +33,14 @@ bool is_depth(const TexelFormat& format) {
     return format.base == GL_DEPTH_COMPONENT;
 }
 
+// To be filled in with the planes of an object.
+raster::TargetFormat no_planes(bool has_alpha) {
+    return {raster::ColorFormat::kRgba8, has_alpha, 0, 0, raster::RowOrder::kBottomFirst};
+}
+
 // The format of planes that hold a texture's texels; colours of more than 8 bits take 16.
 raster::TargetFormat plane_format(const TexelFormat& texel, AttachmentPoint point) {
-    raster::TargetFormat format{raster::ColorFormat::kRgba8, texel.base == GL_RGBA, 0, 0};
+    raster::TargetFormat format = no_planes(texel.base == GL_RGBA);
     if (point == kDepthAttachment) format.depth_bits = texel.bits[0] == 16 ? 16 : 24;
     if (point == kStencilAttachment) format.stencil_bits = 8;
     if (texel.storage == pipeline::TexelStorage::kRgba32F) format.color = raster::ColorFormat::kRgba16;
@@ -78,47 +83,47 @@ GLenum status_of(const Framebuffer& framebuffer) {
     return agree ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_UNSUPPORTED;
 }
 
-// Rows of an image and of a target, whose top row is the first.
+// Rows of an image and of a target, which both have their bottom row first.
 template <typename Row>
 void for_each_run(const Target& target, Row row) {
     for (int y = 0; y < target.height(); ++y)
         for (int x = 0; x < target.width(); x += kPixelChunk)
-            row(x, y, target.height() - 1 - y, std::min(kPixelChunk, target.width() - x));
+            row(x, y, std::min(kPixelChunk, target.width() - x));
 }
 
 void load(const Attachment& a, AttachmentPoint point, Target& planes) {
     const TextureLevel& level = level_of(a);
     const TexelFormat& format = *level.format;
     const pipeline::TextureImage& image = *level.image;
-    for_each_run(planes, [&](int x, int y, int row, int count) {
+    for_each_run(planes, [&](int x, int y, int count) {
         if (point == kDepthAttachment) {
             uint32_t depths[kPixelChunk];
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
             for (int i = 0; i < count; ++i)
                 depths[i] = resize_depth(image.depths(x, y)[i], format.bits[0], bits);
-            return pipeline::write_depth(planes, x, row, count, depths);
+            return pipeline::write_depth(planes, x, y, count, depths);
         }
         if (format.storage == pipeline::TexelStorage::kRgba8)
-            return pipeline::write_color_rgba8(planes, x, row, count, image.rgba8(x, y, a.layer));
-        pipeline::write_color(planes, x, row, count, image.rgba32f(x, y, a.layer));
+            return pipeline::write_color_rgba8(planes, x, y, count, image.rgba8(x, y, a.layer));
+        pipeline::write_color(planes, x, y, count, image.rgba32f(x, y, a.layer));
     });
 }
 
 void store(const Attachment& a, AttachmentPoint point, Target& planes, pipeline::TextureImage& image) {
     const TexelFormat& format = *level_of(a).format;
-    for_each_run(planes, [&](int x, int y, int row, int count) {
+    for_each_run(planes, [&](int x, int y, int count) {
         if (point == kDepthAttachment) {
             uint32_t* const depths = image.depths(x, y);
-            pipeline::read_depth(planes, x, row, count, depths);
+            pipeline::read_depth(planes, x, y, count, depths);
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
             for (int i = 0; i < count; ++i) depths[i] = resize_depth(depths[i], bits, format.bits[0]);
         } else if (format.storage == pipeline::TexelStorage::kRgba8) {
             uint8_t rgba[4 * kPixelChunk];
-            pipeline::read_color_rgba8(planes, x, row, count, rgba);
+            pipeline::read_color_rgba8(planes, x, y, count, rgba);
             store_texels(format, rgba, Rounding::kAsDrawn, count, image, x, y, a.layer);
         } else {
             float rgba[4 * kPixelChunk];
-            pipeline::read_color_float(planes, x, row, count, rgba);
+            pipeline::read_color_float(planes, x, y, count, rgba);
             store_texels(format, rgba, Rounding::kOnce, count, image, x, y, a.layer);
         }
     });
@@ -150,7 +155,7 @@ std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point) {
 void compose(Context& ctx, Framebuffer& framebuffer) {
     const auto lock = lock_textures(ctx);
     std::array<std::shared_ptr<Target>, kAttachmentCount> planes;
-    raster::TargetFormat format{raster::ColorFormat::kRgba8, true, 0, 0};
+    raster::TargetFormat format = no_planes(true);
     const Target* any = nullptr;
     for (int point = 0; point < kAttachmentCount; ++point) {
         const auto index = static_cast<std::size_t>(point);

@@ -3,8 +3,8 @@
 // Renderbuffers are shared between contexts, frame buffer objects are not. A frame buffer object is a
 // drawable whose target has the planes of its attachments. Textures keep images of rows: while one is
 // attached to the object that is bound, its pixels are in planes of the attachment's own, loaded from the
-// image before the first draw and stored there when the object is left (settle_framebuffers). Like windows,
-// objects have their top row first.
+// image before the first draw and stored there when the object is left (settle_framebuffers). Like images,
+// and unlike windows, objects have their bottom row first.
 #pragma once
 
 #include <GL/gl.h>

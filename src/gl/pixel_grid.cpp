@@ -93,17 +93,19 @@ PixelGrid make_pixel_grid(const Context& ctx, GLsizei width, GLsizei height) {
     scissor_box(ctx, box);
     const int x = corner(ctx.raster_position.window[0]), y = corner(ctx.raster_position.window[1]);
     const PixelMode& mode = ctx.pixels.mode;
-    const int target_height = ctx.surface.height;
+    const bool top_first = ctx.surface.format.rows == raster::RowOrder::kTopFirst;
     if (mode.zoom_x == 1 && mode.zoom_y == 1) {
         grid.columns = unit_axis(x, width, box.x0, box.x1);
-        // Rows count from the top, the rectangle's from the bottom.
-        grid.rows = unit_axis(y, height, target_height - box.y1, target_height - box.y0);
-        grid.rows.first = target_height - grid.rows.end();
-        std::reverse(grid.rows.sources.begin(), grid.rows.sources.end());
+        const raster::RowRange seen = ctx.surface.rows(box.y0, box.y1);
+        grid.rows = unit_axis(y, height, static_cast<int>(seen.first), static_cast<int>(seen.end));
+        if (top_first) {
+            grid.rows.first = static_cast<int>(ctx.surface.rows(grid.rows.first, grid.rows.end()).first);
+            std::reverse(grid.rows.sources.begin(), grid.rows.sources.end());
+        }
         return grid;
     }
     const Ends across(x, width, mode.zoom_x, ctx.surface.width, false);
-    const Ends up(y, height, mode.zoom_y, target_height, true);
+    const Ends up(y, height, mode.zoom_y, ctx.surface.height, top_first);
     if (!(across.length() != 0) || !(up.length() != 0)) return grid;
     // As set-up computes planes: divided by the area first (doc/reference.md §3.2).
     const float inverse_area = 1.0f / (across.length() * up.length());
@@ -114,7 +116,7 @@ PixelGrid make_pixel_grid(const Context& ctx, GLsizei width, GLsizei height) {
         mirrored ? 0.0f - slope_x * (across.start - 0.5f) : 1.0f - slope_x * (across.end - 0.5f);
     const float origin_y = 1.0f - slope_y * (up.end - 0.5f);
     grid.columns = zoomed_axis(across, slope_x, origin_x, width, box.x0, box.x1, false);
-    grid.rows = zoomed_axis(up, slope_y, origin_y, height, box.y0, box.y1, true);
+    grid.rows = zoomed_axis(up, slope_y, origin_y, height, box.y0, box.y1, top_first);
     return grid;
 }
 

@@ -24,8 +24,7 @@ struct PixelAxis {
 };
 
 struct PixelGrid {
-    PixelAxis columns,
-        rows;  // rows are the target's, from the top of a window; sources from the rectangle's lowest
+    PixelAxis columns, rows;  // the target's; sources count from the rectangle's lowest row
 
     bool empty() const { return columns.empty() || rows.empty(); }
 };

@@ -77,8 +77,4 @@ std::shared_ptr<std::byte[]> allocate_tiles(std::size_t bytes) {
     return {static_cast<std::byte*>(memory), std::free};
 }
 
-int target_row(const Context& ctx, int y) {
-    return ctx.surface.height - 1 - y;
-}
-
 }  // namespace terrazzo::gl

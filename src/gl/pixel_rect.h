@@ -23,7 +23,4 @@ void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect
 // Sets where the rectangle's tiles are and returns how many there are.
 std::size_t lay_out_tiles(pipeline::PixelRect& rect);
 
-// Row of the target that shows row `y` of the window.
-int target_row(const Context& ctx, int y);
-
 }  // namespace terrazzo::gl

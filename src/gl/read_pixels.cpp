@@ -35,12 +35,14 @@ class PixelReader {
         auto* row = static_cast<uint8_t*>(pixels) + layout.offset +
                     static_cast<size_t>(rect.skipped_rows) * layout.row_stride + columns * pixel_size;
         if (is_verbatim()) {
-            // The lowest row of the window is the last of the target.
-            const pipeline::RowRect rows{rect.x, m_source.row(rect.y + rect.height - 1), rect.width,
-                                         rect.height};
+            raster::Target& target = m_source.target();
             const auto stride = static_cast<std::ptrdiff_t>(layout.row_stride);
-            return pipeline::read_rgba8_rect(m_source.target(), rows, row + (rect.height - 1) * stride,
-                                             -stride);
+            if (target.format().rows == raster::RowOrder::kBottomFirst)
+                return pipeline::read_rgba8_rect(target, {rect.x, rect.y, rect.width, rect.height}, row,
+                                                 stride);
+            const int top = target.row(rect.y + rect.height - 1);
+            return pipeline::read_rgba8_rect(target, {rect.x, top, rect.width, rect.height},
+                                             row + (rect.height - 1) * stride, -stride);
         }
         for (int i = 0; i < rect.height; ++i, row += layout.row_stride) {
             for (int j = 0; j < rect.width; j += kPixelChunk) {
@@ -103,7 +105,7 @@ class PixelReader {
 
     void read_depths(const Run& run) const {
         uint32_t integers[kPixelChunk];
-        pipeline::read_depth(m_source.target(), run.x, m_source.row(run.y), run.count, integers);
+        pipeline::read_depth(m_source.target(), run.x, m_source.target().row(run.y), run.count, integers);
         const int bits = m_source.target().format().depth_bits;
         const bool swap_bytes = m_state.pack.swap_bytes;
         if (m_type == GL_UNSIGNED_INT && !swap_bytes && !changes_depths(m_state)) {
@@ -121,7 +123,7 @@ class PixelReader {
 
     void read_stencils(const Run& run) const {
         uint8_t bytes[kPixelChunk];
-        pipeline::read_stencil(m_source.target(), run.x, m_source.row(run.y), run.count, bytes);
+        pipeline::read_stencil(m_source.target(), run.x, m_source.target().row(run.y), run.count, bytes);
         uint32_t indices[kPixelChunk];
         std::copy_n(bytes, run.count, indices);
         if (changes_stencils(m_state)) transfer_stencils(m_state, indices, run.count);

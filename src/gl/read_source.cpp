@@ -44,11 +44,11 @@ bool ReadSource::has_bytes(const PixelState& pixels) const {
 }
 
 void ReadSource::read(int x, int y, int count, uint8_t* rgba) const {
-    pipeline::read_color_rgba8(m_target, x, row(y), count, rgba);
+    pipeline::read_color_rgba8(m_target, x, m_target.row(y), count, rgba);
 }
 
 void ReadSource::read(int x, int y, int count, const PixelState& pixels, float* rgba) const {
-    pipeline::read_color_float(m_target, x, row(y), count, rgba);
+    pipeline::read_color_float(m_target, x, m_target.row(y), count, rgba);
     if (!changes_colors(pixels)) return;
     transfer_colors(pixels, rgba, count);
     if (m_target.format().color == raster::ColorFormat::kRgba32F) return;

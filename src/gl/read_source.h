@@ -43,7 +43,6 @@ class ReadSource {
     void read(int x, int y, int count, const PixelState& pixels, float* rgba) const;
 
     raster::Target& target() const { return m_target; }
-    int row(int y) const { return m_target.height() - 1 - y; }  // row 0 of a window's target is its top row
 
   private:
     Drawable& m_drawable;

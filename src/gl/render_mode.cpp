@@ -98,8 +98,8 @@ raster::Varyings feedback_varyings() {
 
 class FeedbackObserver final : public pipeline::PrimitiveObserver {
   public:
-    FeedbackObserver(FeedbackState& feedback, int target_height, bool flat)
-        : m_feedback(feedback), m_height(static_cast<GLfloat>(target_height)), m_flat(flat) {}
+    FeedbackObserver(FeedbackState& feedback, const Surface& surface, bool flat)
+        : m_feedback(feedback), m_surface(surface), m_flat(flat) {}
 
     void point(const pipeline::ShadedVertices& vertices, int v) override {
         write_token(m_feedback, GL_POINT_TOKEN);
@@ -118,7 +118,10 @@ class FeedbackObserver final : public pipeline::PrimitiveObserver {
   private:
     void vertex(const pipeline::ShadedVertices& vertices, int v, int provoking) {
         const auto read = [&](int column, int slot) { return vertices.column(column)[slot]; };
-        const GLfloat window[4] = {read(pipeline::kWindowX, v), m_height - read(pipeline::kWindowY, v),
+        const GLfloat y = read(pipeline::kWindowY, v);
+        const bool top_first = m_surface.format.rows == raster::RowOrder::kTopFirst;
+        const GLfloat window[4] = {read(pipeline::kWindowX, v),
+                                   top_first ? static_cast<GLfloat>(m_surface.height) - y : y,
                                    read(pipeline::kWindowZ, v), 1.0f / read(pipeline::kWindowOow, v)};
         GLfloat color[4], coordinates[4];
         for (int i = 0; i < 4; ++i) {
@@ -129,7 +132,7 @@ class FeedbackObserver final : public pipeline::PrimitiveObserver {
     }
 
     FeedbackState& m_feedback;
-    GLfloat m_height;
+    const Surface& m_surface;
     bool m_flat;
 };
 
@@ -159,7 +162,7 @@ void capture_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& 
     state.vertex.varyings = feedback_varyings();
     make_texture_coordinates(ctx, 0, state.vertex.texture[0]);
     make_lighting(ctx, input, state.vertex);
-    FeedbackObserver observer(ctx.render_mode.feedback, ctx.surface.height, raster.flat);
+    FeedbackObserver observer(ctx.render_mode.feedback, ctx.surface, raster.flat);
     ctx.renderer.observe(state, input, translate_mode(mode), range, observer);
 }
 

@@ -14,15 +14,17 @@ namespace {
 
 struct StorageFormat {
     bool known = false, has_color = false;
-    raster::TargetFormat format{raster::ColorFormat::kRgba8, false, 0, 0};
+    raster::TargetFormat format{};
 };
 
 StorageFormat color(raster::ColorFormat format, bool has_alpha) {
-    return {true, true, {format, has_alpha, 0, 0}};
+    return {true, true, {format, has_alpha, 0, 0, raster::RowOrder::kBottomFirst}};
 }
 
 StorageFormat depth_stencil(uint8_t depth_bits, uint8_t stencil_bits) {
-    return {true, false, {raster::ColorFormat::kRgba8, false, depth_bits, stencil_bits}};
+    return {true,
+            false,
+            {raster::ColorFormat::kRgba8, false, depth_bits, stencil_bits, raster::RowOrder::kBottomFirst}};
 }
 
 // Sizes below 8 bits get 8, but for 5-6-5; those above get 16.

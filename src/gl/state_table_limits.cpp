@@ -30,6 +30,11 @@ ColorBits color_bits(const raster::TargetFormat& format) {
     return {bits, bits, bits, format.has_alpha ? bits : 0};
 }
 
+// Frame buffer objects have no accumulation buffer.
+int accumulation_bits(const Context& ctx) {
+    return ctx.framebuffers.draw ? 0 : ctx.config.accum_bits;
+}
+
 constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     // What the implementation promises
     {GL_MAX_LIGHTS, [](Context&, Out& out) { out = kMaxLights; }},
@@ -80,10 +85,10 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_ALPHA_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).alpha; }},
     {GL_DEPTH_BITS, [](Context& c, Out& out) { out = c.surface.format.depth_bits; }},
     {GL_STENCIL_BITS, [](Context& c, Out& out) { out = c.surface.format.stencil_bits; }},
-    {GL_ACCUM_RED_BITS, [](Context& c, Out& out) { out = c.config.accum_bits; }},
-    {GL_ACCUM_GREEN_BITS, [](Context& c, Out& out) { out = c.config.accum_bits; }},
-    {GL_ACCUM_BLUE_BITS, [](Context& c, Out& out) { out = c.config.accum_bits; }},
-    {GL_ACCUM_ALPHA_BITS, [](Context& c, Out& out) { out = c.config.accum_bits; }},
+    {GL_ACCUM_RED_BITS, [](Context& c, Out& out) { out = accumulation_bits(c); }},
+    {GL_ACCUM_GREEN_BITS, [](Context& c, Out& out) { out = accumulation_bits(c); }},
+    {GL_ACCUM_BLUE_BITS, [](Context& c, Out& out) { out = accumulation_bits(c); }},
+    {GL_ACCUM_ALPHA_BITS, [](Context& c, Out& out) { out = accumulation_bits(c); }},
     {GL_RENDER_MODE, [](Context& c, Out& out) { out = c.render_mode.mode; }},
     {GL_NAME_STACK_DEPTH, [](Context& c, Out& out) { out = c.render_mode.selection.depth; }},
     {GL_SELECTION_BUFFER_SIZE, [](Context& c, Out& out) { out = c.render_mode.selection.size; }},

@@ -79,7 +79,7 @@ void present(Context& ctx) {
 void copy_picture(Context& ctx, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
                   std::ptrdiff_t stride) {
     flush_vertices(ctx);
-    // Row 0 of a window's target is its top row.
+    // Windows have their top row first.
     std::byte* const top_row = bottom_row + (ctx.surface.height - 1) * stride;
     Drawable& drawable = *ctx.surface.draw;
     const ColorBuffer selected = drawable.selected();

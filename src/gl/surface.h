@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "gl/drawable.h"
@@ -21,6 +22,11 @@ struct Surface {
     int width = 0;                         // 0: there is no buffer to draw to
     int height = 0;
     raster::TargetFormat format;
+    // Rows of the target from those of the window, which count upwards, and the other way round.
+    raster::RowRange rows(int64_t low, int64_t high) const {
+        return turn_rows(format.rows, height, low, high);
+    }
+    int row(int y) const { return static_cast<int>(rows(y, int64_t{y} + 1).first); }
     bool drawn = false;  // set by whatever draws or clears, even when nothing comes of it
 };
 

@@ -28,7 +28,7 @@ void copy_depths(const PixelState& state, const ReadSource& source, const ReadRe
         for (int j = 0; j < read.width; j += kPixelChunk) {
             const int count = std::min(kPixelChunk, read.width - j);
             uint32_t* const depths = image.depths(left + j, bottom + i);
-            pipeline::read_depth(source.target(), read.x + j, source.row(read.y + i), count, depths);
+            pipeline::read_depth(source.target(), read.x + j, source.target().row(read.y + i), count, depths);
             if (!changes_depths(state)) {
                 for (int k = 0; k < count; ++k) depths[k] = resize_depth(depths[k], from, to);
                 continue;

@@ -24,16 +24,19 @@ float unit(GLfloat value) {
     return std::clamp(value, 0.0f, 1.0f);
 }
 
-// doc/reference.md §1: y counts downwards in a window, as the target's rows do.
+// doc/reference.md §1: y counts as the target's rows do, downwards in a window.
 void make_viewport(const Context& ctx, pipeline::VertexState& out) {
     const ViewportState& v = ctx.framebuffer.viewport;
     const float half_width = 0.5f * static_cast<float>(v.width),
                 half_height = 0.5f * static_cast<float>(v.height);
-    const float target_height = static_cast<float>(ctx.surface.height);
     out.viewport_scale[0] = half_width;
     out.viewport_translate[0] = half_width + static_cast<float>(v.x);
-    out.viewport_scale[1] = -half_height;
-    out.viewport_translate[1] = target_height - (half_height + static_cast<float>(v.y));
+    out.viewport_scale[1] = half_height;
+    out.viewport_translate[1] = half_height + static_cast<float>(v.y);
+    if (ctx.surface.format.rows == raster::RowOrder::kTopFirst) {
+        out.viewport_scale[1] = -half_height;
+        out.viewport_translate[1] = static_cast<float>(ctx.surface.height) - out.viewport_translate[1];
+    }
     out.viewport_scale[2] = static_cast<float>(0.5 * (v.far_depth - v.near_depth));
     out.viewport_translate[2] = static_cast<float>(0.5 * (v.near_depth + v.far_depth));
 }
@@ -499,7 +502,8 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     if (key.polygon_stipple) {
         block->polygon_stipple.assign(ctx.rasterization.polygon_stipple.rows.begin(),
                                       ctx.rasterization.polygon_stipple.rows.end());
-        state.target_height_for_stipple = ctx.surface.height;
+        state.target_height_for_stipple =
+            ctx.surface.format.rows == raster::RowOrder::kTopFirst ? ctx.surface.height : 0;
     }
     key_of_vertices(ctx, input, w_is_one, key);
     const auto& color = input.constants[pipeline::kColor];
@@ -573,11 +577,12 @@ void scissor_box(const Context& ctx, pipeline::RasterState& out) {
         x1 = std::max(x0, x1);
         y1 = std::max(y0, y1);
     }
-    out.row0_is_top = true;
+    out.row0_is_top = target.format.rows == raster::RowOrder::kTopFirst;
     out.x0 = static_cast<int>(std::min<std::int64_t>(x0, target.width));
     out.x1 = static_cast<int>(std::min<std::int64_t>(x1, target.width));
-    out.y0 = static_cast<int>(std::max<std::int64_t>(target.height - y1, 0));
-    out.y1 = static_cast<int>(std::max<std::int64_t>(target.height - y0, 0));
+    const raster::RowRange rows = target.rows(y0, y1);
+    out.y0 = static_cast<int>(std::clamp<std::int64_t>(rows.first, 0, target.height));
+    out.y1 = static_cast<int>(std::clamp<std::int64_t>(rows.end, 0, target.height));
 }
 
 void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {

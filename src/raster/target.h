@@ -1,12 +1,11 @@
 // A render target: colour, depth and stencil in two-level tiles [Frolov 2020 §3, row R-13].
 //
-// Row 0 is the first row in memory: the top of a window, the bottom of a frame buffer object, as the
-// reference has it (it decides how vertices snap). The target is cut into bins of 64x64 pixels, row by row; a
-// bin's planes are contiguous, its 4x4 tiles follow one another row by row, the 16 pixels of a tile likewise.
-// Colour is what ColorFormat says, depth is one uint32 a pixel holding depth_bits significant bits (whatever
-// their number), stencil one byte a pixel. A clear of the whole target only marks its bins; a bin is filled
-// when it is first touched. Not synchronised: at any time a bin belongs to one thread, and the target's owner
-// keeps readers and frames apart.
+// Row 0 is the first row in memory: RowOrder says whether it is the top one or the bottom one. The target is
+// cut into bins of 64x64 pixels, row by row; a bin's planes are contiguous, its 4x4 tiles follow one another
+// row by row, the 16 pixels of a tile likewise. Colour is what ColorFormat says, depth is one uint32 a pixel
+// holding depth_bits significant bits (whatever their number), stencil one byte a pixel. A clear of the whole
+// target only marks its bins; a bin is filled when it is first touched. Not synchronised: at any time a bin
+// belongs to one thread, and the target's owner keeps readers and frames apart.
 #pragma once
 
 #include <cstddef>
@@ -57,14 +56,30 @@ struct ClearPlanes {
     bool color = false, depth = false, stencil = false;
 };
 
+// Windows have their top row first, frame buffer objects their bottom row, as in the reference: it decides
+// how vertices snap and in which direction planes are interpolated.
+enum class RowOrder : uint8_t { kTopFirst, kBottomFirst };
+
 struct TargetFormat {
     ColorFormat color = ColorFormat::kRgba8;
     bool has_alpha = true;
     uint8_t depth_bits = 24;   // 0, 16, 24 (or 32: the bits of a float, later)
     uint8_t stencil_bits = 8;  // 0 or 8
+    RowOrder rows = RowOrder::kTopFirst;
 
     friend bool operator==(const TargetFormat&, const TargetFormat&) = default;
 };
+
+// Rows `first` to `end` - 1.
+struct RowRange {
+    int64_t first, end;
+};
+
+// The rows of a target that lie `low` to `high` - 1 above its lowest row, and the other way round. They may
+// leave the target.
+constexpr RowRange turn_rows(RowOrder order, int height, int64_t low, int64_t high) {
+    return order == RowOrder::kTopFirst ? RowRange{height - high, height - low} : RowRange{low, high};
+}
 
 // What is known of a bin besides its pixels.
 struct BinState {
@@ -110,6 +125,8 @@ class Target {
 
     int width() const { return m_width; }
     int height() const { return m_height; }
+    // The row that lies y above the lowest one.
+    int row(int y) const { return static_cast<int>(turn_rows(m_format.rows, m_height, y, y + 1).first); }
     bool has_color() const { return static_cast<bool>(m_color); }
     int bins_across() const { return m_bins_across; }
     int bin_count() const { return m_bins_across * m_bins_up; }
@@ -122,8 +139,8 @@ class Target {
     void materialize(int index) { materialize(index, {true, true, true}); }
     // The same for some planes.
     void materialize(int index, ClearPlanes wanted);
-    // Draws to, or shows, another colour buffer from now on, with the same depth and stencil, and back again the next
-    // time. The first time it is all zero. Throws std::bad_alloc and changes nothing then.
+    // Draws to, or shows, another colour buffer from now on, with the same depth and stencil, and back again
+    // the next time. The first time it is all zero. Throws std::bad_alloc and changes nothing then.
     void exchange_color();
     // All but the colours, to be drawn over and come back to. Throws std::bad_alloc.
     struct Depths {

@@ -63,6 +63,18 @@ TEST_F(FramebufferObjectsTest, TexturesShowWhatWasDrawnWhenTheObjectIsLeft) {
     EXPECT_EQ(red_of_pixel(), 255);
 }
 
+TEST_F(FramebufferObjectsTest, HaveNoAccumulationBuffer) {
+    const auto red_bits = [&] {
+        GLint bits = -1;
+        get_integerv(ctx(), GL_ACCUM_RED_BITS, &bits);
+        return bits;
+    };
+    ctx().config.accum_bits = 16;
+    EXPECT_EQ(red_bits(), 0);
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 0);
+    EXPECT_EQ(red_bits(), 16);
+}
+
 TEST_F(FramebufferObjectsTest, FlushDoesNotLoseWhatTexturesShow) {
     fill(1);
     flush(ctx());
