@@ -171,6 +171,45 @@ SCENE(fbo_shadow, "a shadow map drawn into a depth texture without a colour buff
     gl.End();
 }
 
+SCENE(fbo_sizes, "attachments of different sizes: what they have in common is drawn to, the rest stays") {
+    const GLuint name = framebuffer(gl);
+    const GLuint wide = renderbuffer(gl, GL_RGBA8, 200, 90), high = renderbuffer(gl, GL_RGBA8, 70, 150),
+                 depth = renderbuffer(gl, GL_DEPTH24_STENCIL8, 110, 140);
+    attach(gl, GL_DEPTH_STENCIL_ATTACHMENT, depth);
+    gl.ClearDepth(0.5);
+    clear(gl, 0, 0, 0);
+    gl.ClearDepth(1);
+    for (const GLuint colour : {wide, high}) {
+        attach(gl, GL_DEPTH_STENCIL_ATTACHMENT, 0);
+        attach(gl, GL_COLOR_ATTACHMENT0, colour);
+        gl.Viewport(0, 0, 200, 150);
+        clear(gl, 0.3F, 0.1F, 0.2F);
+        attach(gl, GL_DEPTH_STENCIL_ATTACHMENT, depth);
+        notes.value("status", gl.CheckFramebufferStatus(GL_FRAMEBUFFER));
+        clear(gl, 0.1F, 0.4F, 0.5F);
+        gl.Viewport(0, 0, 110, 90);
+        lit_torus(gl, 50);
+        // Without the other attachment all of one can be read.
+        attach(gl, GL_DEPTH_STENCIL_ATTACHMENT, 0);
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        const int x = colour == wide ? 2 : 180, y = colour == wide ? 2 : 100;
+        gl.BlitFramebuffer(0, 0, 200, 150, x, y, x + 200, y + 150, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, name);
+    }
+    attach(gl, GL_COLOR_ATTACHMENT0, 0);
+    attach(gl, GL_DEPTH_STENCIL_ATTACHMENT, depth);
+    gl.DrawBuffer(GL_NONE);
+    gl.ReadBuffer(GL_NONE);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl.BlitFramebuffer(0, 0, 110, 140, 10, 100, 120, 240, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.Viewport(0, 0, kSize, kSize);
+    pixel_projection(gl);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Color4f(0.8F, 0.8F, 0.2F, 1);
+    rectangle(gl, 4, 96, 170, 250, -0.8F);
+}
+
 SCENE(fbo_blit,
       "blits scaled, mirrored, cut by scissor and edges, linear and nearest, of depth and stencil") {
     framebuffer(gl);

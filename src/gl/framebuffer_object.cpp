@@ -67,20 +67,17 @@ AttachedSize size_of(const Attachment& a, AttachmentPoint point) {
 }
 
 // As in the reference, and later versions of GL, what draws to or reads from a missing colour buffer is no
-// reason to be incomplete.
+// reason to be incomplete, nor are attachments of different sizes.
 GLenum status_of(const Framebuffer& framebuffer) {
-    AttachedSize size;
-    bool agree = true;
+    bool any = false;
     for (int point = 0; point < kAttachmentCount; ++point) {
         const Attachment& a = framebuffer.attachments[static_cast<std::size_t>(point)];
         if (a.is_empty()) continue;
-        const AttachedSize own = size_of(a, static_cast<AttachmentPoint>(point));
-        if (own.width == 0) return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
-        if (size.width == 0) size = own;
-        agree = agree && own.width == size.width && own.height == size.height;
+        if (size_of(a, static_cast<AttachmentPoint>(point)).width == 0)
+            return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+        any = true;
     }
-    if (size.width == 0) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
-    return agree ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_UNSUPPORTED;
+    return any ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
 }
 
 // Rows of an image and of a target, which both have their bottom row first.
@@ -156,18 +153,21 @@ void compose(Context& ctx, Framebuffer& framebuffer) {
     const auto lock = lock_textures(ctx);
     std::array<std::shared_ptr<Target>, kAttachmentCount> planes;
     raster::TargetFormat format = no_planes(true);
-    const Target* any = nullptr;
+    int width = kMaxRenderbufferSize, height = kMaxRenderbufferSize;  // what all of them have
+    bool any = false;
     for (int point = 0; point < kAttachmentCount; ++point) {
         const auto index = static_cast<std::size_t>(point);
         planes[index] = current_planes(framebuffer.attachments[index], static_cast<AttachmentPoint>(point));
         if (!planes[index]) continue;
-        any = planes[index].get();
+        any = true;
+        width = std::min(width, planes[index]->width());
+        height = std::min(height, planes[index]->height());
         const raster::TargetFormat& own = planes[index]->format();
         if (point == kColorAttachment) format.color = own.color, format.has_alpha = own.has_alpha;
         if (point == kDepthAttachment) format.depth_bits = own.depth_bits;
         if (point == kStencilAttachment) format.stencil_bits = own.stencil_bits;
     }
-    if (any) framebuffer.compose(any->width(), any->height(), format, planes);
+    if (any) framebuffer.compose(width, height, format, planes);
 }
 
 // Writes what was drawn to textures into their images.

@@ -83,9 +83,11 @@ void clear_color(const BinClear& clear, ColorFormat format, const BinRect& rect,
 }  // namespace
 
 bool clears_whole_bin(const BinClear& clear, const Target& target, int bin_x, int bin_y) {
-    const bool covered = clear.x0 <= bin_x && clear.y0 <= bin_y &&
-                         clear.x1 >= std::min(bin_x + kBinSize, target.width()) &&
-                         clear.y1 >= std::min(bin_y + kBinSize, target.height());
+    const auto end = [&](int bin, int size) {
+        return target.is_part() ? bin + kBinSize : std::min(bin + kBinSize, size);
+    };
+    const bool covered = clear.x0 <= bin_x && clear.y0 <= bin_y && clear.x1 >= end(bin_x, target.width()) &&
+                         clear.y1 >= end(bin_y, target.height());
     return covered && (!clear.planes.color || clear.color_mask == 0xf) &&
            (!clear.planes.stencil || clear.stencil_mask == 0xff);
 }

@@ -13,7 +13,11 @@
 namespace terrazzo::raster {
 
 template <class T>
-Target::Plane<T>::Plane(size_t count) : m_memory(std::make_shared<ZeroedMemory>(count * sizeof(T))) {
+Target::Plane<T>::Plane(int bins_across, int bins_up, size_t count)
+    : m_memory(std::make_shared<ZeroedMemory>(static_cast<size_t>(bins_across) *
+                                              static_cast<size_t>(bins_up) * count * sizeof(T))),
+      m_bins_across(bins_across),
+      m_count(count) {
     if (m_memory->data() == nullptr) throw std::bad_alloc();
 }
 
@@ -26,16 +30,23 @@ Target::Target(int width, int height, TargetFormat format, std::nullptr_t)
       m_states(static_cast<size_t>(bin_count())) {}
 
 void Target::allocate_depth_and_stencil() {
-    const size_t bins = static_cast<size_t>(bin_count()), pixels = bins * kBinPixels;
     if (m_format.depth_bits != 0) {
-        m_depth = Plane<uint32_t>(pixels);
-        m_farthest = Plane<float>(bins * kBinTiles);
+        m_depth = Plane<uint32_t>(m_bins_across, m_bins_up, kBinPixels);
+        m_farthest = new_farthest();
     }
-    if (m_format.stencil_bits != 0) m_stencil = Plane<uint8_t>(pixels);
+    if (m_format.stencil_bits != 0) m_stencil = Plane<uint8_t>(m_bins_across, m_bins_up, kBinPixels);
+}
+
+Target::Plane<std::byte> Target::new_color() const {
+    return {m_bins_across, m_bins_up, kBinPixels * static_cast<size_t>(bytes_per_pixel(m_format.color))};
+}
+
+Target::Plane<float> Target::new_farthest() const {
+    return {m_bins_across, m_bins_up, kBinTiles};
 }
 
 Target::Target(int width, int height, TargetFormat format) : Target(width, height, format, nullptr) {
-    m_color = Plane<std::byte>(color_bytes());
+    m_color = new_color();
     allocate_depth_and_stencil();
     for (int i = 0; i < bin_count(); ++i) clear_bin(i, {true, true, true}, {});
 }
@@ -45,9 +56,11 @@ Target::Target(int width, int height, TargetFormat format, const SharedPlanes& p
     if (planes.color) m_color = planes.color->m_color;
     if (planes.depth) {
         m_depth = planes.depth->m_depth;
-        m_farthest = Plane<float>(static_cast<size_t>(bin_count()) * kBinTiles);
+        m_farthest = new_farthest();
     }
     if (planes.stencil) m_stencil = planes.stencil->m_stencil;
+    for (const Target* const shared : {planes.color, planes.depth, planes.stencil})
+        m_is_part |= shared && (shared->width() > width || shared->height() > height);
 }
 
 Target Target::depth_and_stencil(int width, int height, TargetFormat format) {
@@ -69,13 +82,13 @@ void Target::start_over() {
 }
 
 Bin Target::bin(int index) {
-    const size_t first = static_cast<size_t>(index) * kBinPixels;
-    return {m_color ? m_color.get() + first * static_cast<size_t>(bytes_per_pixel(m_format.color)) : nullptr,
-            m_depth ? m_depth.get() + first : nullptr,
-            m_stencil ? m_stencil.get() + first : nullptr,
-            m_farthest ? m_farthest.get() + static_cast<size_t>(index) * kBinTiles : nullptr,
-            index % m_bins_across * kBinSize,
-            index / m_bins_across * kBinSize,
+    const int column = index % m_bins_across, row = index / m_bins_across;
+    return {m_color.bin(column, row),
+            m_depth.bin(column, row),
+            m_stencil.bin(column, row),
+            m_farthest.bin(column, row),
+            column * kBinSize,
+            row * kBinSize,
             &state(index)};
 }
 
@@ -125,13 +138,8 @@ void Target::materialize(int index, ClearPlanes wanted) {
     }
 }
 
-size_t Target::color_bytes() const {
-    return static_cast<size_t>(bin_count()) * kBinPixels *
-           static_cast<size_t>(bytes_per_pixel(m_format.color));
-}
-
 void Target::exchange_color() {
-    if (!m_other_color) m_other_color = Plane<std::byte>(color_bytes());
+    if (!m_other_color) m_other_color = new_color();
     for (int i = 0; i < bin_count(); ++i) materialize(i, {true, false, false});
     std::swap(m_color, m_other_color);
 }

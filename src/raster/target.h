@@ -102,7 +102,7 @@ struct Bin {
 
 class Target;
 
-// Planes that a target has in common with others of its size.
+// Planes that a target has in common with others, of its size or larger.
 struct SharedPlanes {
     const Target* color = nullptr;  // null: no colour plane; nothing may be drawn to it
     const Target* depth = nullptr;
@@ -131,6 +131,8 @@ class Target {
     int bins_across() const { return m_bins_across; }
     int bin_count() const { return m_bins_across * m_bins_up; }
     const TargetFormat& format() const { return m_format; }
+    // Whether pixels beyond this target's edges belong to others that share its planes.
+    bool is_part() const { return m_is_part; }
 
     Bin bin(int index);
     // Marks the planes of one bin as cleared.
@@ -160,21 +162,29 @@ class Target {
     class Plane {
       public:
         Plane() = default;
-        // Throws std::bad_alloc.
-        explicit Plane(size_t count);
+        // `bins_across` of each row of bins, each with `count` values. Throws std::bad_alloc.
+        Plane(int bins_across, int bins_up, size_t count);
         explicit operator bool() const { return get() != nullptr; }
         T* get() const { return m_memory ? static_cast<T*>(m_memory->data()) : nullptr; }
+        // The values of the bin in this column and row; null where there is no plane.
+        T* bin(int column, int row) const {
+            return m_memory ? get() + static_cast<size_t>(row * m_bins_across + column) * m_count : nullptr;
+        }
 
       private:
         std::shared_ptr<ZeroedMemory> m_memory;
+        int m_bins_across = 0;
+        size_t m_count = 0;
     };
 
     Target(int width, int height, TargetFormat format, std::nullptr_t);
     void allocate_depth_and_stencil();
-    size_t color_bytes() const;
+    Plane<std::byte> new_color() const;
+    Plane<float> new_farthest() const;
 
     int m_width, m_height, m_bins_across, m_bins_up;
     TargetFormat m_format;
+    bool m_is_part = false;
     // Null where the format has no such plane.
     Plane<std::byte> m_color;
     Plane<std::byte> m_other_color;  // null until it is asked for
