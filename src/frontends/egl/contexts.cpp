@@ -242,10 +242,12 @@ EGLBoolean eglQueryContext(EGLDisplay handle, EGLContext context_handle, EGLint 
     return EGL_TRUE;
 }
 
-EGLBoolean eglWaitClient() {
+EGLBoolean eglWaitClient() try {
     egl::set_error(EGL_SUCCESS);
     if (const auto context = egl::current_context()) gl::finish(*context->gl);
     return EGL_TRUE;
+} catch (const std::exception&) {
+    return egl::fail(EGL_BAD_ALLOC);
 }
 
 EGLBoolean eglWaitGL() {
@@ -265,9 +267,11 @@ EGLBoolean eglWaitNative(EGLint engine) try {
     return egl::fail(EGL_BAD_ALLOC);
 }
 
-EGLBoolean eglReleaseThread() {
+EGLBoolean eglReleaseThread() try {
     if (egl::current_context()) release();
     egl::current_api() = EGL_NONE;
     egl::set_error(EGL_SUCCESS);
     return EGL_TRUE;
+} catch (const std::exception&) {
+    return egl::fail(EGL_BAD_ALLOC);
 }

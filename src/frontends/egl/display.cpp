@@ -211,10 +211,12 @@ EGLBoolean eglTerminate(EGLDisplay handle) {
     return EGL_TRUE;
 }
 
-EGLDisplay eglGetDisplay(EGLNativeDisplayType native) {
+EGLDisplay eglGetDisplay(EGLNativeDisplayType native) try {
     egl::set_error(EGL_SUCCESS);
     if (native == EGL_DEFAULT_DISPLAY) return egl::get_display(EGL_NONE, nullptr, -1);
     return egl::get_display(EGL_PLATFORM_X11_KHR, native, -1);
+} catch (const std::exception&) {
+    return egl::fail(EGL_BAD_ALLOC);
 }
 
 EGLDisplay eglGetPlatformDisplay(EGLenum platform, void* native, const EGLAttrib* attributes) try {
@@ -248,7 +250,7 @@ EGLDisplay eglGetPlatformDisplay(EGLenum platform, void* native, const EGLAttrib
     return egl::fail(EGL_BAD_ALLOC);
 }
 
-EGLDisplay eglGetPlatformDisplayEXT(EGLenum platform, void* native, const EGLint* attributes) {
+EGLDisplay eglGetPlatformDisplayEXT(EGLenum platform, void* native, const EGLint* attributes) try {
     std::vector<EGLAttrib> list;
     for (; attributes && *attributes != EGL_NONE; attributes += 2) {
         list.push_back(attributes[0]);
@@ -256,4 +258,6 @@ EGLDisplay eglGetPlatformDisplayEXT(EGLenum platform, void* native, const EGLint
     }
     list.push_back(EGL_NONE);
     return eglGetPlatformDisplay(platform, native, list.data());
+} catch (const std::exception&) {
+    return egl::fail(EGL_BAD_ALLOC);
 }

@@ -100,18 +100,20 @@ bool is_a_version(int major, int minor) {
 
 }  // namespace
 
-GLXContext glXCreateContext(Display* display, XVisualInfo* visual, GLXContext share_list, Bool direct) {
+GLXContext glXCreateContext(Display* display, XVisualInfo* visual, GLXContext share_list, Bool direct) try {
     if (!visual) return fail(display, BadValue, false, 0, X_GLXCreateContext);
     const auto state = registry().display(display);
     const glx::Config* config = registry().config_of_visual(*state, visual->screen, visual->visualid);
     if (!config) return fail(display, BadValue, false, visual->visualid, X_GLXCreateContext);
     return create(display, config, visual->screen, share_list, direct, X_GLXCreateContext);
+} catch (const std::exception&) {
+    return fail(display, BadAlloc, false, 0, X_GLXCreateContext);
 }
 
 GLXContext glXCreateNewContext(Display* display, GLXFBConfig config, int render_type, GLXContext share_list,
                                Bool direct) {
-    const auto state = registry().display(display);
-    if (!registry().is_config(*state, config))
+    const auto state = registry().find_display(display);
+    if (!state || !registry().is_config(*state, config))
         return fail(display, GLXBadFBConfig, true, 0, X_GLXCreateNewContext);
     if (render_type != GLX_RGBA_TYPE) {
         const bool known = render_type == GLX_COLOR_INDEX_TYPE;
@@ -121,7 +123,7 @@ GLXContext glXCreateNewContext(Display* display, GLXFBConfig config, int render_
 }
 
 GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXContext share_list,
-                                      Bool direct, const int* attributes) {
+                                      Bool direct, const int* attributes) try {
     constexpr int kMinor = X_GLXCreateContextAttribsARB;
     const auto state = registry().display(display);
     if (config && !registry().is_config(*state, config))
@@ -145,6 +147,8 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
     if (wanted->render_type != GLX_RGBA_TYPE) return fail(display, BadMatch, false, 0, kMinor);
     return create(display, config, config ? config->screen : DefaultScreen(display), share_list, direct,
                   kMinor);
+} catch (const std::exception&) {
+    return fail(display, BadAlloc, false, 0, X_GLXCreateContextAttribsARB);
 }
 
 void glXDestroyContext(Display* display, GLXContext handle) {

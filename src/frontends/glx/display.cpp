@@ -125,6 +125,11 @@ bool Registry::is_config(DisplayState& display, GLXFBConfig config) {
     });
 }
 
+std::shared_ptr<Drawable> find_drawable(::Display* display, GLXDrawable name) {
+    const auto state = registry().find_display(display);
+    return state ? registry().drawable(*state, name) : nullptr;
+}
+
 std::shared_ptr<Context> current_context() {
     const window::Binding& binding = window::current_binding();
     if (!binding.context || binding.context->interface != window::Interface::kGlx) return nullptr;

@@ -100,6 +100,9 @@ class Registry {
 
 Registry& registry();
 
+// Null for what is no drawable of a display that GLX knows.
+std::shared_ptr<Drawable> find_drawable(::Display* display, GLXDrawable name);
+
 // The calling thread's context if it is GLX's, else null.
 std::shared_ptr<Context> current_context();
 

@@ -208,7 +208,7 @@ GLXPixmap glXCreatePixmap(Display* display, GLXFBConfig config, Pixmap pixmap, c
     return create_on_server(display, config, pixmap, glx::Kind::kPixmap, attributes, X_GLXCreatePixmap);
 }
 
-GLXPixmap glXCreateGLXPixmap(Display* display, XVisualInfo* visual, Pixmap pixmap) {
+GLXPixmap glXCreateGLXPixmap(Display* display, XVisualInfo* visual, Pixmap pixmap) try {
     const auto state = registry().display(display);
     const glx::Config* config =
         visual ? registry().config_of_visual(*state, visual->screen, visual->visualid) : nullptr;
@@ -217,6 +217,9 @@ GLXPixmap glXCreateGLXPixmap(Display* display, XVisualInfo* visual, Pixmap pixma
         return 0;
     }
     return create_on_server(display, config, pixmap, glx::Kind::kPixmap, nullptr, X_GLXCreateGLXPixmap);
+} catch (const std::exception&) {
+    glx::send_error(display, BadAlloc, false, pixmap, X_GLXCreateGLXPixmap);
+    return 0;
 }
 
 GLXPbuffer glXCreatePbuffer(Display* display, GLXFBConfig config, const int* attributes) {
@@ -277,8 +280,8 @@ void glXDestroyGLXPbufferSGIX(Display* display, GLXPbuffer pbuffer) {
 }
 
 void glXQueryDrawable(Display* display, GLXDrawable name, int attribute, unsigned int* value) {
-    const auto state = registry().display(display);
-    const auto drawable = registry().drawable(*state, name);
+    const auto state = registry().find_display(display);
+    const auto drawable = glx::find_drawable(display, name);
     if (!drawable) return glx::send_error(display, GLXBadDrawable, true, name, X_GLXGetDrawableAttributes);
     unsigned answer = 0;
     switch (attribute) {
@@ -333,16 +336,14 @@ void glXQueryGLXPbufferSGIX(Display* display, GLXPbuffer pbuffer, int attribute,
 }
 
 void glXSelectEvent(Display* display, GLXDrawable name, unsigned long mask) {
-    const auto state = registry().display(display);
-    const auto drawable = registry().drawable(*state, name);
+    const auto drawable = glx::find_drawable(display, name);
     if (!drawable) return glx::send_error(display, GLXBadDrawable, true, name, X_GLXChangeDrawableAttributes);
     // Pbuffers are never clobbered: no event will ever come.
     drawable->event_mask = mask;
 }
 
 void glXGetSelectedEvent(Display* display, GLXDrawable name, unsigned long* mask) {
-    const auto state = registry().display(display);
-    const auto drawable = registry().drawable(*state, name);
+    const auto drawable = glx::find_drawable(display, name);
     if (!drawable) return glx::send_error(display, GLXBadDrawable, true, name, X_GLXGetDrawableAttributes);
     if (mask) *mask = drawable->event_mask;
 }
@@ -362,19 +363,20 @@ void glXSwapBuffers(Display* display, GLXDrawable name) try {
 }
 
 void glXCopySubBufferMESA(Display* display, GLXDrawable name, int x, int y, int width, int height) try {
-    const auto state = registry().find_display(display);
-    const auto drawable = state ? registry().drawable(*state, name) : nullptr;
+    const auto drawable = glx::find_drawable(display, name);
     if (drawable && drawable->server)
         drawable->server->copy_part(context_drawing_to(*drawable), x, y, width, height);
 } catch (const std::exception&) {
     glx::send_error(display, BadAlloc, false, name, X_GLXSwapBuffers);
 }
 
-void glXWaitGL() {
+void glXWaitGL() try {
     if (const auto context = glx::current_context()) {
         gl::present(*context->gl);
         if (Display* display = context->display->display) XSync(display, False);
     }
+} catch (const std::exception&) {
+    // What could not be drawn stays queued.
 }
 
 // A program that has changed its window's size waits for X and then draws. What X has drawn to a window is

@@ -11,11 +11,6 @@ using terrazzo::glx::registry;
 
 namespace {
 
-std::shared_ptr<glx::Drawable> find(Display* display, GLXDrawable name) {
-    const auto state = registry().find_display(display);
-    return state ? registry().drawable(*state, name) : nullptr;
-}
-
 // What the calling thread draws to.
 std::shared_ptr<glx::Drawable> current_drawable() {
     const auto context = glx::current_context();
@@ -34,7 +29,7 @@ std::int64_t swap_count(const glx::Drawable& drawable) {
 }  // namespace
 
 void glXSwapIntervalEXT(Display* display, GLXDrawable name, int interval) {
-    if (const auto drawable = find(display, name)) set_interval(*drawable, interval);
+    if (const auto drawable = glx::find_drawable(display, name)) set_interval(*drawable, interval);
 }
 
 int glXSwapIntervalSGI(int interval) {
@@ -59,7 +54,7 @@ int glXGetSwapIntervalMESA() {
 }
 
 Bool glXGetSyncValuesOML(Display* display, GLXDrawable name, int64_t* ust, int64_t* msc, int64_t* sbc) {
-    const auto drawable = find(display, name);
+    const auto drawable = glx::find_drawable(display, name);
     if (!drawable || !ust || !msc || !sbc) return False;
     *ust = window::current_ust();
     *msc = window::msc_at(*ust);
@@ -68,7 +63,7 @@ Bool glXGetSyncValuesOML(Display* display, GLXDrawable name, int64_t* ust, int64
 }
 
 Bool glXGetMscRateOML(Display* display, GLXDrawable name, int32_t* numerator, int32_t* denominator) {
-    if (!find(display, name) || !numerator || !denominator) return False;
+    if (!glx::find_drawable(display, name) || !numerator || !denominator) return False;
     *numerator = window::kRefreshRate;
     *denominator = 1;
     return True;
@@ -76,7 +71,7 @@ Bool glXGetMscRateOML(Display* display, GLXDrawable name, int32_t* numerator, in
 
 int64_t glXSwapBuffersMscOML(Display* display, GLXDrawable name, int64_t target, int64_t divisor,
                              int64_t remainder) {
-    const auto drawable = find(display, name);
+    const auto drawable = glx::find_drawable(display, name);
     const bool wrong = target < 0 || divisor < 0 || remainder < 0 || (divisor > 0 && remainder >= divisor);
     if (!drawable || wrong) return -1;
     if (target > 0 || divisor > 0) window::wait_for_msc(target, divisor, remainder);
@@ -87,7 +82,7 @@ int64_t glXSwapBuffersMscOML(Display* display, GLXDrawable name, int64_t target,
 Bool glXWaitForMscOML(Display* display, GLXDrawable name, int64_t target, int64_t divisor, int64_t remainder,
                       int64_t* ust, int64_t* msc, int64_t* sbc) {
     const bool wrong = target < 0 || divisor < 0 || remainder < 0 || (divisor > 0 && remainder >= divisor);
-    if (wrong || !find(display, name)) return False;
+    if (wrong || !glx::find_drawable(display, name)) return False;
     window::wait_for_msc(target, divisor, remainder);
     return glXGetSyncValuesOML(display, name, ust, msc, sbc);
 }
@@ -95,7 +90,7 @@ Bool glXWaitForMscOML(Display* display, GLXDrawable name, int64_t target, int64_
 // Swaps are done when SwapBuffers returns: a count that lies ahead would be waited for for ever.
 Bool glXWaitForSbcOML(Display* display, GLXDrawable name, int64_t target, int64_t* ust, int64_t* msc,
                       int64_t* sbc) {
-    const auto drawable = find(display, name);
+    const auto drawable = glx::find_drawable(display, name);
     if (!drawable || target < 0 || target > swap_count(*drawable)) return False;
     return glXGetSyncValuesOML(display, name, ust, msc, sbc);
 }

@@ -31,8 +31,7 @@ std::vector<std::byte> bottom_row_first(x11::Image& image, std::size_t row_bytes
 }  // namespace
 
 void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const int*) try {
-    const auto state = registry().display(display);
-    const auto drawable = registry().drawable(*state, name);
+    const auto drawable = glx::find_drawable(display, name);
     const auto fail = [&](int code, bool is_glx) {
         glx::send_error(display, code, is_glx, name, X_GLXVendorPrivate);
     };
@@ -72,8 +71,7 @@ void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const in
 
 // The texture keeps what it has: it is the texture's own.
 void glXReleaseTexImageEXT(Display* display, GLXDrawable name, int buffer) {
-    const auto state = registry().display(display);
-    const auto drawable = registry().drawable(*state, name);
+    const auto drawable = glx::find_drawable(display, name);
     if (!drawable || drawable->kind != glx::Kind::kPixmap)
         return glx::send_error(display, GLXBadPixmap, true, name, X_GLXVendorPrivate);
     if (buffer < GLX_FRONT_LEFT_EXT || buffer > GLX_AUX9_EXT)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <string>
 
 #include "frontends/glx/display.h"
@@ -26,10 +27,11 @@ const std::vector<glx::Config>& configs_of(glx::DisplayState& state, int screen)
 
 // An array that the program frees with XFree; null for an empty one.
 GLXFBConfig* to_client(const std::vector<const glx::Config*>& configs, int* count) {
-    if (count) *count = static_cast<int>(configs.size());
+    if (count) *count = 0;
     if (configs.empty()) return nullptr;
     auto* out = static_cast<GLXFBConfig*>(std::malloc(configs.size() * sizeof(GLXFBConfig)));
     if (!out) return nullptr;
+    if (count) *count = static_cast<int>(configs.size());
     std::ranges::transform(configs, out, [](const glx::Config* c) { return const_cast<GLXFBConfig>(c); });
     return out;
 }
@@ -59,16 +61,18 @@ const char* client_string(int name) {
 
 }  // namespace
 
-XVisualInfo* glXChooseVisual(Display* display, int screen, int* attributes) {
+XVisualInfo* glXChooseVisual(Display* display, int screen, int* attributes) try {
     const auto state = registry().display(display);
     const auto fitting = glx::choose_for_visual(configs_of(*state, screen), attributes);
     if (fitting.empty()) return nullptr;
     // The program will say which of a visual's configurations it means by the visual alone.
     registry().use_for_visual(*state, *fitting.front());
     return visual_info(display, *fitting.front());
+} catch (const std::exception&) {
+    return nullptr;
 }
 
-int glXGetConfig(Display* display, XVisualInfo* visual, int name, int* value) {
+int glXGetConfig(Display* display, XVisualInfo* visual, int name, int* value) try {
     if (!visual || !value) return GLX_BAD_VALUE;
     const auto state = registry().display(display);
     if (visual->screen < 0 || visual->screen >= ScreenCount(display)) return GLX_BAD_SCREEN;
@@ -82,23 +86,29 @@ int glXGetConfig(Display* display, XVisualInfo* visual, int name, int* value) {
     if (!answer) return GLX_BAD_ATTRIBUTE;
     *value = *answer;
     return Success;
+} catch (const std::exception&) {
+    return GLX_NO_EXTENSION;
 }
 
-GLXFBConfig* glXChooseFBConfig(Display* display, int screen, const int* attributes, int* count) {
+GLXFBConfig* glXChooseFBConfig(Display* display, int screen, const int* attributes, int* count) try {
     const auto state = registry().display(display);
     return to_client(glx::choose(configs_of(*state, screen), attributes), count);
+} catch (const std::exception&) {
+    return to_client({}, count);
 }
 
-GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) {
+GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) try {
     const auto state = registry().display(display);
     std::vector<const glx::Config*> all;
     for (const glx::Config& config : configs_of(*state, screen)) all.push_back(&config);
     return to_client(all, count);
+} catch (const std::exception&) {
+    return to_client({}, count);
 }
 
 int glXGetFBConfigAttrib(Display* display, GLXFBConfig config, int name, int* value) {
-    const auto state = registry().display(display);
-    if (!registry().is_config(*state, config)) {
+    const auto state = registry().find_display(display);
+    if (!state || !registry().is_config(*state, config)) {
         glx::send_error(display, GLXBadFBConfig, true, 0, X_GLXGetFBConfigs);
         return GLX_BAD_VALUE;
     }
@@ -109,8 +119,8 @@ int glXGetFBConfigAttrib(Display* display, GLXFBConfig config, int name, int* va
 }
 
 XVisualInfo* glXGetVisualFromFBConfig(Display* display, GLXFBConfig config) {
-    const auto state = registry().display(display);
-    if (!registry().is_config(*state, config)) {
+    const auto state = registry().find_display(display);
+    if (!state || !registry().is_config(*state, config)) {
         glx::send_error(display, GLXBadFBConfig, true, 0, X_GLXGetFBConfigs);
         return nullptr;
     }
@@ -119,10 +129,12 @@ XVisualInfo* glXGetVisualFromFBConfig(Display* display, GLXFBConfig config) {
     return visual_info(display, *config);
 }
 
-GLXFBConfig glXGetFBConfigFromVisualSGIX(Display* display, XVisualInfo* visual) {
+GLXFBConfig glXGetFBConfigFromVisualSGIX(Display* display, XVisualInfo* visual) try {
     if (!visual) return nullptr;
     const auto state = registry().display(display);
     return const_cast<GLXFBConfig>(registry().config_of_visual(*state, visual->screen, visual->visualid));
+} catch (const std::exception&) {
+    return nullptr;
 }
 
 Bool glXQueryExtension(Display* display, int* error_base, int* event_base) {
@@ -161,17 +173,21 @@ Bool glXQueryCurrentRendererIntegerMESA(int attribute, unsigned int* value) {
 }
 
 Bool glXQueryRendererIntegerMESA(Display* display, int screen, int renderer, int attribute,
-                                 unsigned int* value) {
+                                 unsigned int* value) try {
     const auto state = registry().display(display);
     if (!value || renderer != 0 || configs_of(*state, screen).empty()) return False;
     return glx::renderer_integer(attribute, value);
+} catch (const std::exception&) {
+    return False;
 }
 
 const char* glXQueryCurrentRendererStringMESA(int attribute) {
     return glx::current_context() ? glx::renderer_string(attribute) : nullptr;
 }
 
-const char* glXQueryRendererStringMESA(Display* display, int screen, int renderer, int attribute) {
+const char* glXQueryRendererStringMESA(Display* display, int screen, int renderer, int attribute) try {
     const auto state = registry().display(display);
     return renderer == 0 && !configs_of(*state, screen).empty() ? glx::renderer_string(attribute) : nullptr;
+} catch (const std::exception&) {
+    return nullptr;
 }

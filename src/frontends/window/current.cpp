@@ -32,8 +32,8 @@ bool make_current(const Binding& wanted) {
     Binding& now = this_thread.binding;
     const bool same_context = now.context == wanted.context;
     if (!same_context && wanted.context && wanted.context->is_current.exchange(true)) return false;
-    if (now.context && (!same_context || now.draw != wanted.draw)) gl::present(*now.context->gl);
     try {
+        if (now.context && (!same_context || now.draw != wanted.draw)) gl::present(*now.context->gl);
         // The context that is let go of keeps no drawables: those of a closed display must not outlive it
         // there.
         if (now.context && !same_context) gl::attach_drawables(*now.context->gl, nullptr, nullptr);
