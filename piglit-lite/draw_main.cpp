@@ -26,20 +26,25 @@ void clear_to_background(const kit::Gl& gl) {
 // A frame buffer object like the window, in its place while a scene is drawn.
 class ObjectInWindow {
   public:
-    ObjectInWindow(const kit::Gl& gl, int width, int height) : m_gl(gl), m_width(width), m_height(height) {
+    ObjectInWindow(const kit::Gl& gl, const kit::ContextOptions& window)
+        : m_gl(gl), m_width(window.width), m_height(window.height) {
         GLuint object;
         m_gl.GenFramebuffers(1, &object);
         m_gl.BindFramebuffer(GL_FRAMEBUFFER, object);
         attach(GL_COLOR_ATTACHMENT0, GL_RGBA8);
-        attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8);
+        if (window.depth_bits == 16 && window.stencil_bits == 0) {
+            attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT16);
+        } else {
+            attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8);
+        }
     }
-    // What it holds becomes the window's.
+    // Its colours become the window's.
     void show() const {
         m_gl.Disable(GL_SCISSOR_TEST);
         m_gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
         m_gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-        m_gl.BlitFramebuffer(0, 0, m_width, m_height, 0, 0, m_width, m_height,
-                             GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+        m_gl.BlitFramebuffer(0, 0, m_width, m_height, 0, 0, m_width, m_height, GL_COLOR_BUFFER_BIT,
+                             GL_NEAREST);
         m_gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     }
 
@@ -65,18 +70,18 @@ nlohmann::json draw(const nlohmann::json& arguments) {
     if (arguments.value("in_rgba", false)) options.format = OSMESA_RGBA;
     const kit::OffscreenContext context(library, options);
     std::optional<ObjectInWindow> object;
-    if (arguments.value("in_object", false)) object.emplace(library.gl, options.width, options.height);
+    if (arguments.value("in_object", false)) object.emplace(library.gl, options);
     clear_to_background(library.gl);
     piglit::Notes notes;
     scene->draw(library.gl, notes);
     nlohmann::json result{{"errors", nlohmann::json::array()}, {"values", nlohmann::json::array()}};
     for (const GLenum error : context.take_errors()) result["errors"].push_back(kit::error_name(error));
-    if (object) object->show();
-    library.gl.Finish();
     for (const piglit::NotedValue& noted : notes.all())
         result["values"].push_back({noted.name, noted.value, noted.tolerance});
     const auto depth = context.read_depth();
     const auto stencil = context.read_stencil();
+    if (object) object->show();
+    library.gl.Finish();
     result["colour"] = binary(context.colour_buffer().data(), context.colour_buffer().size());
     result["depth"] = binary(depth.data(), depth.size() * sizeof(std::uint32_t));
     result["stencil"] = binary(stencil.data(), stencil.size());

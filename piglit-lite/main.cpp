@@ -39,7 +39,7 @@ std::vector<const Scene*> chosen_scenes(const std::vector<std::string>& filters,
         for (const std::string& filter : filters)
             wanted |=
                 std::string(scene.name).find(filter) != std::string::npos || chapter_of(scene) == filter;
-        if (wanted && !(in_object && scene.of_window)) chosen.push_back(&scene);
+        if (wanted && !(in_object && scene.window_only != nullptr)) chosen.push_back(&scene);
     }
     return chosen;
 }

@@ -57,7 +57,7 @@ struct Scene {
     Tolerance tolerance{};
     kit::ContextOptions context{};
     bool draws_nothing_visible = false;  // its theme is values; a plain picture is expected
-    bool of_window = false;  // its theme is the window's: not to be drawn to an object in its place
+    const char* window_only = nullptr;   // why it is not to be drawn to an object in the window's place
     // A difference from the reference that is known and not yet understood, in words. The scene then counts
     // as open, not as failed; and it fails when the difference is gone, so that this goes too.
     const char* open_difference = nullptr;

@@ -33,29 +33,31 @@ void blur(const Gl& gl) {
 
 }  // namespace
 
-SCENE(accumulation_blur, "the mean of seven pictures", .context = {.accum_bits = 16}, .of_window = true) {
+SCENE(accumulation_blur, "the mean of seven pictures", .context = {.accum_bits = 16},
+      .window_only = "objects have no accumulation buffer") {
     blur(gl);
 }
 
 SCENE(accumulation_blur_float, "the same in floats", .context = {.type = GL_FLOAT, .accum_bits = 16},
-      .of_window = true) {
+      .window_only = "objects have no accumulation buffer") {
     blur(gl);
 }
 
 SCENE(accumulation_blur_short, "the same in 16 bits",
-      .context = {.type = GL_UNSIGNED_SHORT, .accum_bits = 16}, .of_window = true) {
+      .context = {.type = GL_UNSIGNED_SHORT, .accum_bits = 16},
+      .window_only = "objects have no accumulation buffer") {
     blur(gl);
 }
 
 SCENE(accumulation_blur_565, "the same in five and six bits",
       .context = {.format = OSMESA_RGB_565, .type = GL_UNSIGNED_SHORT_5_6_5, .accum_bits = 16},
-      .of_window = true) {
+      .window_only = "objects have no accumulation buffer") {
     blur(gl);
 }
 
 // Within the range: the reference lets sums beyond it wrap round.
 SCENE(accumulation_operations, "each operation with many values, scissored, masked and cleared",
-      .context = {.accum_bits = 16}, .of_window = true) {
+      .context = {.accum_bits = 16}, .window_only = "objects have no accumulation buffer") {
     pixel_projection(gl);
     striped_backdrop(gl, 21);
     gl.Enable(GL_SCISSOR_TEST);

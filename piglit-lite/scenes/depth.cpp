@@ -118,7 +118,7 @@ SCENE(depth_sixteen_bits, "intersecting slopes in a 16-bit depth buffer",
 }
 
 SCENE(depth_none, "a context without depth and stencil: the tests pass",
-      .context = {.depth_bits = 0, .stencil_bits = 0}, .of_window = true) {
+      .context = {.depth_bits = 0, .stencil_bits = 0}, .window_only = "its theme is the context's format") {
     camera(gl, 50, 4.5F);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_NEVER);

@@ -138,7 +138,8 @@ SCENE(clear_between_draws,
     rectangle(gl, 60, 60, 240, 160, 0.1F);
 }
 
-SCENE(draw_buffer_none, "DrawBuffer NONE stops colour but not depth; FRONT draws again", .of_window = true) {
+SCENE(draw_buffer_none, "DrawBuffer NONE stops colour but not depth; FRONT draws again",
+      .window_only = "objects have no front buffer") {
     pixel_projection(gl);
     gl.Enable(GL_DEPTH_TEST);
     gl.Color3f(0.9F, 0.7F, 0.2F);

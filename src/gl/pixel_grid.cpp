@@ -1,5 +1,7 @@
 // Without zoom a rectangle's pixels are the window's. Otherwise it is a textured quad, as in the reference:
 // its edges are snapped to 1/256 of a pixel, and a coordinate that is interpolated says which pixel is shown.
+// In frame buffer objects that quad of the reference's lies up to half a pixel off; there the rule is GL's
+// own.
 #include "gl/pixel_grid.h"
 
 #include <algorithm>
@@ -68,6 +70,27 @@ PixelAxis zoomed_axis(const Ends& ends, float slope, float origin, GLsizei size,
     return axis;
 }
 
+// GL 1.5 §3.6.4: a pixel whose centre lies on the border of what two source pixels become shows the one whose
+// lower or left border that is. Products of a float and an integer are exact.
+PixelAxis exact_axis(int corner, GLsizei size, float zoom, int low, int high) {
+    const double far = corner + double{zoom} * size;
+    PixelAxis axis;
+    if (zoom == 0 || std::isnan(far)) return axis;
+    const auto first_centre = [&](double from) {
+        return static_cast<int>(std::clamp(std::ceil(from - 0.5), double(low), double(high)));
+    };
+    axis.first = first_centre(std::min<double>(corner, far));
+    const int end = first_centre(std::max<double>(corner, far));
+    for (int target = axis.first; target < end; ++target) {
+        const double distance = target + 0.5 - corner, quotient = distance / zoom;
+        const double border = std::round(quotient);
+        const bool on_border = border * zoom == distance;
+        const double source = on_border ? border - (zoom < 0) : std::floor(quotient);
+        axis.sources.push_back(std::clamp(static_cast<int>(source), 0, size - 1));
+    }
+    return axis;
+}
+
 }  // namespace
 
 void PixelAxis::keep_sources(int low, int high) {
@@ -104,8 +127,13 @@ PixelGrid make_pixel_grid(const Context& ctx, GLsizei width, GLsizei height) {
         }
         return grid;
     }
+    if (!top_first) {
+        grid.columns = exact_axis(x, width, mode.zoom_x, box.x0, box.x1);
+        grid.rows = exact_axis(y, height, mode.zoom_y, box.y0, box.y1);
+        return grid;
+    }
     const Ends across(x, width, mode.zoom_x, ctx.surface.width, false);
-    const Ends up(y, height, mode.zoom_y, ctx.surface.height, top_first);
+    const Ends up(y, height, mode.zoom_y, ctx.surface.height, true);
     if (!(across.length() != 0) || !(up.length() != 0)) return grid;
     // As set-up computes planes: divided by the area first (doc/reference.md §3.2).
     const float inverse_area = 1.0f / (across.length() * up.length());
@@ -116,7 +144,7 @@ PixelGrid make_pixel_grid(const Context& ctx, GLsizei width, GLsizei height) {
         mirrored ? 0.0f - slope_x * (across.start - 0.5f) : 1.0f - slope_x * (across.end - 0.5f);
     const float origin_y = 1.0f - slope_y * (up.end - 0.5f);
     grid.columns = zoomed_axis(across, slope_x, origin_x, width, box.x0, box.x1, false);
-    grid.rows = zoomed_axis(up, slope_y, origin_y, height, box.y0, box.y1, top_first);
+    grid.rows = zoomed_axis(up, slope_y, origin_y, height, box.y0, box.y1, true);
     return grid;
 }
 

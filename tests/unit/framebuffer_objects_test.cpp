@@ -91,6 +91,25 @@ TEST_F(FramebufferObjectsTest, NewTexelsAreDrawnOver) {
     EXPECT_EQ(red_of_pixel(), 0);
 }
 
+// GL 1.5 §3.6.4: a centre on the border of two zoomed pixels belongs to the upper and the right one.
+TEST_F(FramebufferObjectsTest, ZoomedRectanglesFollowTheRule) {
+    const std::array<GLubyte, 4 * 4> reds = {10, 0, 0, 255, 20, 0, 0, 255, 30, 0, 0, 255, 40, 0, 0, 255};
+    const auto row_of_reds = [&](GLfloat corner, GLfloat zoom) {
+        fill(0);
+        window_pos3f(ctx(), corner, 0, 0);
+        pixel_zoom(ctx(), zoom, 1);
+        draw_pixels(ctx(), 4, 1, GL_RGBA, GL_UNSIGNED_BYTE, reds.data());
+        std::array<GLubyte, 4 * kSize> row{};
+        read_pixels(ctx(), 0, 0, kSize, 1, GL_RGBA, GL_UNSIGNED_BYTE, row.data());
+        std::array<int, kSize> out{};
+        for (std::size_t x = 0; x < kSize; ++x) out[x] = row[4 * x];
+        return out;
+    };
+    EXPECT_EQ(row_of_reds(1, 1.5F), (std::array{0, 10, 20, 20, 30, 40, 40, 0}));
+    EXPECT_EQ(row_of_reds(7, -1.5F), (std::array{0, 40, 30, 30, 20, 10, 10, 0}));
+    EXPECT_EQ(row_of_reds(2, 0.5F), (std::array{0, 0, 20, 40, 0, 0, 0, 0}));
+}
+
 TEST_F(FramebufferObjectsTest, DeletedTexturesAndObjectsLeave) {
     fill(1);
     delete_textures(ctx(), 1, &m_texture);
