@@ -7,6 +7,7 @@
 
 #include "gl/block_compression.h"
 #include "gl/context.h"
+#include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
 #include "gl/mipmap.h"
 #include "gl/pixel_convert.h"
@@ -124,6 +125,7 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     if (!check_read_framebuffer(ctx)) return;
     if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
+    settle_framebuffers(ctx);
     const ReadSource source(ctx);
     const auto lock = lock_textures(ctx);
     TextureLevel& level = target.level(level_number);

@@ -6,6 +6,7 @@
 
 #include "gl/block_compression.h"
 #include "gl/context.h"
+#include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
 #include "gl/mipmap.h"
 #include "gl/texture_spec.h"
@@ -89,6 +90,7 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
     if (const Rule rule = check_texture_pixels(client.format, client.type); rule.code != GL_NO_ERROR) {
         return record_error(ctx, rule.code, rule.words);
     }
+    settle_framebuffers(ctx);
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
     TextureLevel& level = target.level(level_number);

@@ -7,6 +7,7 @@
 
 #include "gl/block_compression.h"
 #include "gl/context.h"
+#include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
@@ -155,6 +156,7 @@ void get_tex_image(Context& ctx, GLenum target_name, GLint level_number, GLenum 
     if (format == GL_COLOR_INDEX || format == GL_DEPTH_STENCIL)
         rule = {GL_INVALID_ENUM, "textures give no such pixels"};
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
+    settle_framebuffers(ctx);
     const auto lock = lock_textures(ctx);
     const TextureLevel& level = target.level(level_number);
     if (level.format) rule = check_pixels_fit(format, *level.format);

@@ -91,6 +91,20 @@ TEST_F(FramebufferObjectsTest, NewTexelsAreDrawnOver) {
     EXPECT_EQ(red_of_pixel(), 0);
 }
 
+TEST_F(FramebufferObjectsTest, TexturesThatAreDrawnToTakeAndGiveTexels) {
+    fill(1);
+    EXPECT_EQ(red_of_texture(), 255);
+    const std::array<GLubyte, 4> texel = {64, 0, 0, 255};
+    fill(0.5F);
+    tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
+    EXPECT_EQ(red_of_pixel(), 64);
+    EXPECT_EQ(red_of_texture(), 128) << "beside it";
+    fill(1);
+    copy_tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 1, 1, 0, 0, 1, 1);
+    EXPECT_EQ(red_of_pixel(), 255);
+    EXPECT_EQ(red_of_texture(), 255);
+}
+
 // GL 1.5 §3.6.4: a centre on the border of two zoomed pixels belongs to the upper and the right one.
 TEST_F(FramebufferObjectsTest, ZoomedRectanglesFollowTheRule) {
     const std::array<GLubyte, 4 * 4> reds = {10, 0, 0, 255, 20, 0, 0, 255, 30, 0, 0, 255, 40, 0, 0, 255};
