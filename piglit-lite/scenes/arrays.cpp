@@ -87,6 +87,46 @@ SCENE(array_colour_types, "colour arrays of three and four components in all eig
     });
 }
 
+// The reference forgets the order in ArrayElement and in display lists.
+SCENE(array_bgra, "colours and secondary colours with blue first: in order, by index, flat, in a buffer") {
+    pixel_projection(gl);
+    gl.Enable(GL_COLOR_SUM);
+    constexpr int kCount = 12;
+    float positions[2 * kCount];
+    std::uint8_t colours[4 * kCount], secondary[8 * kCount];
+    std::uint16_t indices[kCount];
+    Random random(5);
+    for (std::uint8_t& byte : colours) byte = static_cast<std::uint8_t>(random.bits());
+    for (std::uint8_t& byte : secondary) byte = static_cast<std::uint8_t>(random.bits() % 85);
+    for (int i = 0; i < kCount; ++i) indices[i] = static_cast<std::uint16_t>(i);
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    gl.EnableClientState(GL_COLOR_ARRAY);
+    gl.EnableClientState(GL_SECONDARY_COLOR_ARRAY);
+    gl.VertexPointer(2, GL_FLOAT, 0, positions);
+    for_cells(2, 2, [&](int cell, float x, float y, float w, float h) {
+        for (int i = 0; i < kCount; ++i) {
+            positions[2 * i] = x + 2 + (w - 4) * static_cast<float>(i / 2) / (kCount / 2 - 1);
+            positions[2 * i + 1] = y + (i % 2 ? h - 3 : 3);
+        }
+        gl.ColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, 0, colours);
+        gl.SecondaryColorPointer(cell < 3 ? GL_BGRA : 3, GL_UNSIGNED_BYTE, 8, secondary);
+        gl.ShadeModel(cell == 2 ? GL_FLAT : GL_SMOOTH);
+        if (cell == 1) return gl.DrawElements(GL_TRIANGLE_STRIP, kCount, GL_UNSIGNED_SHORT, indices);
+        if (cell == 3) {
+            GLuint buffer = 0;
+            gl.GenBuffers(1, &buffer);
+            gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+            gl.BufferData(GL_ARRAY_BUFFER, sizeof colours, colours, GL_STATIC_DRAW);
+            gl.ColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, 0, nullptr);
+            gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+        }
+        gl.DrawArrays(GL_TRIANGLE_STRIP, 0, kCount);
+    });
+    GLint size = 0;
+    gl.GetIntegerv(GL_COLOR_ARRAY_SIZE, &size);
+    notes.value("size", size);
+}
+
 SCENE(array_normal_and_texture_types,
       "normal arrays of five types, texture coordinate arrays of four types and sizes") {
     const Solid grid = make_grid(1, 6);

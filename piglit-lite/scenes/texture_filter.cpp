@@ -214,3 +214,24 @@ SCENE(filter_formats_linear, "LINEAR on luminance, alpha, intensity and small-bi
         textured_rectangle(gl, x + 4, y + 4, x + w - 4, y + h - 4);
     });
 }
+
+SCENE(filter_mipmaps_to_the_border,
+      "each wrap mode with mipmaps, whose levels mix with the border in floats") {
+    const GLenum modes[] = {GL_CLAMP, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT};
+    const GLfloat border[] = {0.9F, 0.2F, 0.5F, 0.7F};
+    for_viewports(gl, 4, 3, [&](int cell) {
+        camera(gl, 60, 1, 0.3F, 60);
+        gl.Enable(GL_TEXTURE_2D);
+        gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+        coloured_levels(gl, 64, 64);
+        gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(modes[cell / 4]));
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(modes[cell / 4]));
+        filters(gl, kMinFilters[2 + cell % 4], GL_LINEAR);
+        gl.MatrixMode(GL_TEXTURE);
+        gl.LoadIdentity();
+        gl.Translatef(-0.5F, -1.5F, 0);
+        gl.MatrixMode(GL_MODELVIEW);
+        floor_plane(gl, 2);
+    });
+}

@@ -38,14 +38,28 @@ bool is_one_of(GLenum type, std::initializer_list<GLenum> allowed) {
     return std::find(allowed.begin(), allowed.end(), type) != allowed.end();
 }
 
-// Checks and stores what a glXxxPointer command was given.
-void set_pointer(Context& ctx, ClientArray& array, GLint size, GLint low, GLint high, GLenum type,
+// Checks and stores what a glXxxPointer command was given; false where that was wrong.
+bool set_pointer(Context& ctx, ClientArray& array, GLint size, GLint low, GLint high, GLenum type,
                  std::initializer_list<GLenum> types, GLsizei stride, const GLvoid* pointer) {
-    if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative");
-    if (!is_one_of(type, types)) return record_error(ctx, GL_INVALID_ENUM, "no type for this array");
+    if (stride < 0) return record_error(ctx, GL_INVALID_VALUE, "stride is negative"), false;
+    if (!is_one_of(type, types)) return record_error(ctx, GL_INVALID_ENUM, "no type for this array"), false;
     if (size < low || size > high)
-        return record_error(ctx, GL_INVALID_VALUE, "no array has elements of this size");
+        return record_error(ctx, GL_INVALID_VALUE, "no array has elements of this size"), false;
     array = {array.enabled, size, type, stride, pointer, ctx.arrays.array_buffer};
+    return true;
+}
+
+// The same for colours of three to `high` components, or of GL_BGRA (ARB_vertex_array_bgra).
+void set_color_pointer(Context& ctx, ClientArray& array, GLint size, GLint high, GLenum type, GLsizei stride,
+                       const GLvoid* pointer) {
+    const std::initializer_list<GLenum> types = {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT,
+                                                 GL_INT,  GL_UNSIGNED_INT,  GL_FLOAT, GL_DOUBLE};
+    const bool bgra = size == GL_BGRA;
+    if (bgra && type != GL_UNSIGNED_BYTE && is_one_of(type, types))
+        return record_error(ctx, GL_INVALID_OPERATION, "only unsigned bytes are GL_BGRA");
+    const bool valid =
+        set_pointer(ctx, array, bgra ? 4 : size, 3, bgra ? 4 : high, type, types, stride, pointer);
+    if (valid) array.bgra = bgra;
 }
 
 void set_enabled(Context& ctx, GLenum name, bool enabled) {
@@ -60,9 +74,12 @@ pipeline::VertexInput input_of(const Context& ctx, const EnabledArrays& arrays) 
     input.constants = ctx.vertex.current.values;
     for (const ReadableArray& a : arrays) {
         input.streamed |= pipeline::bit(a.attribute);
-        input.streams[static_cast<std::size_t>(a.attribute)] = {
-            a.bytes.data, static_cast<std::uint32_t>(a.stride), translate_type(a.array->type),
-            static_cast<std::uint8_t>(a.array->size), a.normalized};
+        input.streams[static_cast<std::size_t>(a.attribute)] = {a.bytes.data,
+                                                                static_cast<std::uint32_t>(a.stride),
+                                                                translate_type(a.array->type),
+                                                                static_cast<std::uint8_t>(a.array->size),
+                                                                a.normalized,
+                                                                a.array->bgra};
     }
     return input;
 }
@@ -248,6 +265,8 @@ std::array<GLfloat, 4> ReadableArray::element(GLint i) const {
         out[static_cast<std::size_t>(c)] =
             static_cast<GLfloat>(normalized ? normalize_component(array->type, value) : value);
     }
+    if (array->bgra) std::swap(out[0], out[2]);
+    if (attribute == pipeline::kSecondaryColor) out[3] = 1;
     return out;
 }
 
@@ -293,10 +312,7 @@ void normal_pointer(Context& ctx, GLenum type, GLsizei stride, const void* point
 }
 
 void color_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    set_pointer(ctx, ctx.arrays.color, size, 3, 4, type,
-                {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT,
-                 GL_DOUBLE},
-                stride, pointer);
+    set_color_pointer(ctx, ctx.arrays.color, size, 4, type, stride, pointer);
 }
 
 void index_pointer(Context& ctx, GLenum type, GLsizei stride, const void* pointer) {
@@ -314,10 +330,7 @@ void edge_flag_pointer(Context& ctx, GLsizei stride, const void* pointer) {
 }
 
 void secondary_color_pointer(Context& ctx, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    set_pointer(ctx, ctx.arrays.secondary_color, size, 3, 3, type,
-                {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT,
-                 GL_DOUBLE},
-                stride, pointer);
+    set_color_pointer(ctx, ctx.arrays.secondary_color, size, 3, type, stride, pointer);
 }
 
 void fog_coord_pointer(Context& ctx, GLenum type, GLsizei stride, const void* pointer) {

@@ -21,6 +21,7 @@ struct ClientArray {
     GLsizei stride = 0;               // as the client gave it; 0 stands for tightly packed
     const GLvoid* pointer = nullptr;  // an offset where there is a buffer
     std::shared_ptr<BufferObject> buffer;
+    bool bgra = false;  // four unsigned bytes, blue first: its size is GL_BGRA for the client
 
     // A null pointer is no array.
     bool exists() const { return pointer != nullptr || buffer; }

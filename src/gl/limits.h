@@ -32,6 +32,7 @@ inline constexpr int kMaxElementsIndices = 3000;
 inline constexpr float kMinPointSize = 1.0f;
 inline constexpr float kMaxPointSize = 255.0f;
 inline constexpr float kMaxTextureLodBias = 16.0f;
+inline constexpr float kMaxTextureAnisotropy = 16.0f;
 inline constexpr float kPointSizeGranularity = 0.1f;
 inline constexpr float kMinLineWidth = 1.0f;
 inline constexpr float kMaxLineWidth = 255.0f;

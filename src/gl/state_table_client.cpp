@@ -11,6 +11,11 @@ const ClientArray& texture_array(const Context& c) {
     return c.arrays.texture[c.arrays.active_texture];
 }
 
+// What the client called an array's size.
+GLint client_size(const ClientArray& array) {
+    return array.bgra ? GL_BGRA : array.size;
+}
+
 constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     // Current values
     {GL_CURRENT_COLOR, [](Context& c, Out& out) { normalized(out, c.vertex.current.color()); }},
@@ -43,7 +48,7 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_VERTEX_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.vertex.stride; }},
     {GL_NORMAL_ARRAY_TYPE, [](Context& c, Out& out) { out = c.arrays.normal.type; }},
     {GL_NORMAL_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.normal.stride; }},
-    {GL_COLOR_ARRAY_SIZE, [](Context& c, Out& out) { out = c.arrays.color.size; }},
+    {GL_COLOR_ARRAY_SIZE, [](Context& c, Out& out) { out = client_size(c.arrays.color); }},
     {GL_COLOR_ARRAY_TYPE, [](Context& c, Out& out) { out = c.arrays.color.type; }},
     {GL_COLOR_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.color.stride; }},
     {GL_INDEX_ARRAY_TYPE, [](Context& c, Out& out) { out = c.arrays.index.type; }},
@@ -51,7 +56,7 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_TEXTURE_COORD_ARRAY_SIZE, [](Context& c, Out& out) { out = texture_array(c).size; }},
     {GL_TEXTURE_COORD_ARRAY_TYPE, [](Context& c, Out& out) { out = texture_array(c).type; }},
     {GL_TEXTURE_COORD_ARRAY_STRIDE, [](Context& c, Out& out) { out = texture_array(c).stride; }},
-    {GL_SECONDARY_COLOR_ARRAY_SIZE, [](Context& c, Out& out) { out = c.arrays.secondary_color.size; }},
+    {GL_SECONDARY_COLOR_ARRAY_SIZE, [](Context& c, Out& out) { out = client_size(c.arrays.secondary_color); }},
     {GL_SECONDARY_COLOR_ARRAY_TYPE, [](Context& c, Out& out) { out = c.arrays.secondary_color.type; }},
     {GL_SECONDARY_COLOR_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.secondary_color.stride; }},
     {GL_FOG_COORDINATE_ARRAY_TYPE, [](Context& c, Out& out) { out = c.arrays.fog_coordinate.type; }},

@@ -57,6 +57,7 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_MAX_CUBE_MAP_TEXTURE_SIZE, [](Context&, Out& out) { out = kMaxCubeTextureSize; }},
     {GL_MAX_VIEWPORT_DIMS, [](Context&, Out& out) { out = std::array{kMaxViewportSize, kMaxViewportSize}; }},
     {GL_MAX_TEXTURE_LOD_BIAS, [](Context&, Out& out) { out = kMaxTextureLodBias; }},
+    {GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, [](Context&, Out& out) { out = kMaxTextureAnisotropy; }},
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, [](Context&, Out& out) { out = std::size(kOfferedBlockFormats); }},
     {GL_COMPRESSED_TEXTURE_FORMATS, [](Context&, Out& out) { out = std::to_array(kOfferedBlockFormats); }},
     {GL_SAMPLE_BUFFERS, [](Context&, Out& out) { out = 0; }},

@@ -42,6 +42,7 @@ struct TextureParameters {
     GLfloat min_lod = -1000;
     GLfloat max_lod = 1000;
     GLfloat lod_bias = 0;
+    GLfloat max_anisotropy = 1;
     bool generate_mipmap = false;
     GLint base_level = 0;
     GLint max_level = 1000;

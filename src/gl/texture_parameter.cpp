@@ -114,6 +114,10 @@ Rule set_parameter(TextureParameters& parameters, GLenum pname, const GLfloat* v
         case GL_TEXTURE_LOD_BIAS:
             parameters.lod_bias = value;
             return {};
+        case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+            if (!(value >= 1)) return {GL_INVALID_VALUE, "the degree of anisotropy is less than 1"};
+            parameters.max_anisotropy = std::min(value, kMaxTextureAnisotropy);
+            return {};
         case GL_GENERATE_MIPMAP:
             parameters.generate_mipmap = to_integer(value) != 0;
             return {};
@@ -169,6 +173,9 @@ bool query(const TextureParameters& parameters, GLenum pname, GLfloat* values) {
             return true;
         case GL_TEXTURE_LOD_BIAS:
             *values = parameters.lod_bias;
+            return true;
+        case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+            *values = parameters.max_anisotropy;
             return true;
         case GL_GENERATE_MIPMAP:
             *values = parameters.generate_mipmap;

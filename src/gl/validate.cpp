@@ -200,6 +200,8 @@ raster::Sampler make_sampler(const TextureUnit& unit_state, const TextureObject&
         if (is_face || (nearest && *wrap == raster::Wrap::kClamp)) *wrap = raster::Wrap::kClampToEdge;
     sampler.in_floats =
         is_face && sampler.mip_filter != raster::MipFilter::kNone && sampler.min_filter != sampler.mag_filter;
+    // The reference cuts off the degree's fraction, and crashes on 1D textures.
+    sampler.anisotropic = p.max_anisotropy >= 2 && sampler.dimensions > 1;
     sampler.lod_bias = quantized_bias(p.lod_bias) + quantized_bias(unit_state.env.lod_bias);
     sampler.min_lod = p.min_lod;
     sampler.max_lod = p.max_lod;
@@ -395,9 +397,9 @@ bool is_plain_bilinear(const std::vector<raster::TextureStage>& stages, unsigned
     const raster::Sampler& s = stage.sampler;
     const bool linear = s.mip_filter == raster::MipFilter::kNone && s.min_filter == raster::Filter::kLinear &&
                         s.mag_filter == raster::Filter::kLinear;
-    return linear && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 && s.faces == nullptr &&
-           s.storage == raster::TexelStorage::kRgba8 && s.wrap_s == raster::Wrap::kRepeat &&
-           s.wrap_t == raster::Wrap::kRepeat &&
+    return linear && !s.anisotropic && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 &&
+           s.faces == nullptr && s.storage == raster::TexelStorage::kRgba8 &&
+           s.wrap_s == raster::Wrap::kRepeat && s.wrap_t == raster::Wrap::kRepeat &&
            (stage.base_format == raster::BaseFormat::kRgb || stage.base_format == raster::BaseFormat::kRgba);
 }
 

@@ -93,7 +93,7 @@ inline Wide4 fetch_converted(const AttributeStream& s, const ElementBatch& batch
             fetch_components<double>(s, batch, out);
             break;
     }
-    return {load(out[0]), load(out[1]), load(out[2]), load(out[3])};
+    return {load(out[s.bgra ? 2 : 0]), load(out[1]), load(out[s.bgra ? 0 : 2]), load(out[3])};
 }
 
 TERRAZZO_INLINE Wide4 fetch(const VertexInput& input, int attribute, const ElementBatch& batch) {

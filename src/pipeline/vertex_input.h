@@ -44,6 +44,7 @@ struct AttributeStream {
     ComponentType type = ComponentType::kFloat32;
     uint8_t components = 4;   // those missing are 0, 0, 1 for y, z, w
     bool normalized = false;  // integers map to [0, 1] or [-1, 1] (GL 1.5 table 2.9)
+    bool bgra = false;        // the first component is z, the third x
 };
 
 struct VertexInput {

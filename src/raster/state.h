@@ -137,7 +137,8 @@ struct Sampler {
     Filter mag_filter = Filter::kLinear;
     MipFilter mip_filter = MipFilter::kNone;
     uint8_t level_count = 1;
-    bool in_floats = false;  // whatever the storage and the wrap modes
+    bool in_floats = false;    // whatever the storage and the wrap modes
+    bool anisotropic = false;  // the filters do not count
     float lod_bias = 0, min_lod = -1000, max_lod = 1000;
     float border_color[4] = {};
     std::array<MipLevel, kMaxMipLevels> levels;

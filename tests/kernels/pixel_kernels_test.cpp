@@ -129,6 +129,7 @@ struct Scene {
             sampler.min_filter = static_cast<Filter>(random.below(2));
             sampler.mag_filter = static_cast<Filter>(random.below(2));
             sampler.mip_filter = static_cast<MipFilter>(random.below(3));
+            sampler.anisotropic = random.once_in(4);
         }
         for (float& c : sampler.border_color) c = random.between(0, 1);
         add_levels(sampler);

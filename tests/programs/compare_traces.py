@@ -17,11 +17,9 @@ import on_display  # noqa: E402
 OTHER_APIS = "es1-"
 # What differs, and why. Traces were recorded on Mesa, with all that it offers: the programs themselves do without.
 EXCEPTIONS = {
-    "irrlicht": "uses GL_BGRA vertex colours (EXT_vertex_array_bgra), which are not offered",
     "md-redbook-multisamp": "asks for a multisampled window; there are none",
     "mujoco-win": "uses glClipControl and 32-bit float depth, which are not offered",
-    "neverball": "uses anisotropic filtering, which is not offered",
-    "osgspotlight": "uses anisotropic filtering, which is not offered",
+    "osgspotlight": "Mesa keeps the old ambient when GL_COLOR_MATERIAL is enabled again with the same colour",
     "osgteapot": "Mesa keeps the old ambient when GL_COLOR_MATERIAL is enabled again with the same colour",
 }
 

@@ -482,7 +482,7 @@ void play_query(Player& p) {
 // Pointers are never read: arrays are set and enabled, but nothing is drawn from them. The reference stores
 // some negative strides although it records the error, so there are none here.
 void play_array(Player& p) {
-    const GLint size = static_cast<GLint>(p.pick(6));
+    const GLint size = p.pick(4) == 0 ? GL_BGRA : static_cast<GLint>(p.pick(6));
     const GLsizei stride = static_cast<GLsizei>(p.pick(40));
     const void* pointer = reinterpret_cast<const void*>(std::uintptr_t{p.pick(64)} * 8);
     p.note(std::to_string(size) + ' ' + std::to_string(stride));
@@ -710,6 +710,10 @@ const Command kCommands[] = {
      [](Player& p) { p.gl().TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, p.flag()); }},
     {"texture bias",
      [](Player& p) { p.gl().TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, p.moderate_number()); }},
+    {"degree of anisotropy",
+     [](Player& p) {
+         p.gl().TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, p.moderate_number());
+     }},
     {"sprite",
      [](Player& p) {
          const GLint value = static_cast<GLint>(p.pick(5)) - 1;

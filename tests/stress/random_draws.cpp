@@ -178,6 +178,7 @@ class Player {
         gl.TexParameteri(target, GL_TEXTURE_WRAP_T, m_random.one_of(kWraps));
         gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, m_random.one_of(kMinFilters));
         gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, m_random.coin() ? GL_NEAREST : GL_LINEAR);
+        gl.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, m_random.once_in(4) ? 4.0f : 1.0f);
         gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, color().values);
         gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, m_random.one_of(kModes));
         gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color().values);

@@ -412,5 +412,37 @@ TEST_F(ListTest, ArraysInListsLeaveTheCurrentValues) {
     EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
 }
 
+// The reference forgets the order here.
+TEST_F(ListTest, ColorArraysMayHaveBlueFirst) {
+    const GLfloat vertices[] = {0, 0, 0, 0};
+    const GLubyte colors[] = {1, 2, 3, 4, 255, 51, 102, 153};
+    const auto current = [](GLenum name) {
+        std::array<GLfloat, 4> value;
+        glGetFloatv(name, value.data());
+        return value;
+    };
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_COLOR_ARRAY);
+    glEnableClientState(GL_SECONDARY_COLOR_ARRAY);
+    glVertexPointer(2, GL_FLOAT, 0, vertices);
+    glColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, 0, colors);
+    glSecondaryColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, 0, colors);
+    glBegin(GL_POINTS);
+    glArrayElement(1);
+    glEnd();
+    const std::array<GLfloat, 4> expected{0.4f, 0.2f, 1, 0.6f}, opaque{0.4f, 0.2f, 1, 1};
+    EXPECT_EQ(current(GL_CURRENT_COLOR), expected);
+    EXPECT_EQ(current(GL_CURRENT_SECONDARY_COLOR), opaque);
+    glNewList(1, GL_COMPILE);
+    glArrayElement(1);
+    glEndList();
+    glColor3f(1, 1, 1);
+    glSecondaryColor3f(1, 1, 1);
+    glCallList(1);
+    EXPECT_EQ(current(GL_CURRENT_COLOR), expected);
+    EXPECT_EQ(current(GL_CURRENT_SECONDARY_COLOR), opaque);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
 }  // namespace
 }  // namespace terrazzo::gl

@@ -92,6 +92,15 @@ const BadCall kBadCalls[] = {
      [](auto& gl) { gl.Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_DENSITY); }},
     {"Fog, density < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Fogf(GL_FOG_DENSITY, -1); }},
 
+    {"ColorPointer, blue first in shorts", GL_INVALID_OPERATION,
+     [](auto& gl) { gl.ColorPointer(GL_BGRA, GL_UNSIGNED_SHORT, 0, nullptr); }},
+    {"SecondaryColorPointer, blue first in packed bytes", GL_INVALID_ENUM,
+     [](auto& gl) { gl.SecondaryColorPointer(GL_BGRA, GL_2_BYTES, 0, nullptr); }},
+    {"ColorPointer, blue first, stride < 0", GL_INVALID_VALUE,
+     [](auto& gl) { gl.ColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, -4, nullptr); }},
+    {"VertexPointer, blue first", GL_INVALID_VALUE,
+     [](auto& gl) { gl.VertexPointer(GL_BGRA, GL_FLOAT, 0, nullptr); }},
+
     {"TexEnv, target", GL_INVALID_ENUM,
      [](auto& gl) { gl.TexEnvi(GL_TEXTURE_2D, GL_TEXTURE_ENV_MODE, GL_DECAL); }},
     {"TexEnv", GL_INVALID_ENUM, [](auto& gl) { gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_WRAP_S, GL_DECAL); }},

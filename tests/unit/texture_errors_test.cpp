@@ -61,6 +61,11 @@ const BadCall kBadCalls[] = {
          const GLfloat value = -1;
          tex_parameterfv(ctx, GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, &value);
      }},
+    {"TexParameter, degree of anisotropy < 1", GL_INVALID_VALUE,
+     [](Context& ctx) {
+         const GLfloat value = 0.5f;
+         tex_parameterfv(ctx, GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);
+     }},
     {"GetTexParameter, target", GL_INVALID_ENUM,
      [](Context& ctx) { get_tex_parameterfv(ctx, GL_PROXY_TEXTURE_2D, GL_TEXTURE_PRIORITY, floats); }},
     {"GetTexParameter, name", GL_INVALID_ENUM,

@@ -2,7 +2,7 @@
 // texel there. Faces are filtered each by itself, clamped to its edge, as the reference does.
 #pragma once
 
-#include "raster/pixel/sample.h"
+#include "raster/pixel/anisotropic.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
@@ -75,8 +75,10 @@ TERRAZZO_NOINLINE Color sample_cube(const Sampler& sampler, const TexturePoint& 
         const int face = face_of[std::countr_zero(todo)];
         const Mask16 same = faces == I32x16(face);
         const Sampler& of_face = sampler.faces[face];
-        const Color texel = needs_lambda ? sample_at_lambda(of_face, lambda, on_face, bits_of(same) & todo)
-                                         : sample_level(of_face, 0, sampler.mag_filter, on_face);
+        const uint32_t pixels = bits_of(same) & todo;
+        const Color texel = sampler.anisotropic ? sample_anisotropic(of_face, on_face, pixels)
+                            : needs_lambda      ? sample_at_lambda(of_face, lambda, on_face, pixels)
+                                                : sample_level(of_face, 0, sampler.mag_filter, on_face);
         todo &= ~bits_of(same);
         result = select(same, texel, result);
     }

@@ -252,9 +252,10 @@ TERRAZZO_INLINE FloatAxis float_axis(Wrap wrap, Filter filter, F32x16 coordinate
     if (wrap == Wrap::kRepeat) {
         coordinate = coordinate - floor(coordinate);
     } else if (wrap == Wrap::kMirroredRepeat) {
-        const F32x16 whole = floor(coordinate), fraction = coordinate - whole;
-        const Mask16 odd = (whole - F32x16(2.0f) * floor(whole * F32x16(0.5f))) == F32x16(1.0f);
-        coordinate = select(odd, F32x16(1.0f) - fraction, fraction);
+        // Twice the distance from the nearest even number's half, without a rounding.
+        const F32x16 half = coordinate * F32x16(0.5f);
+        const F32x16 apart = half - to_float(round_to_int(bounded(half, 1073741824.0f)));
+        coordinate = abs(apart + apart);
     } else if (wrap == Wrap::kClamp) {
         coordinate = clamp(coordinate, F32x16(0.0f), F32x16(1.0f));
     }
@@ -355,20 +356,38 @@ TERRAZZO_INLINE F32x16 fetch_depth(const Sampler& sampler, const MipLevel& level
     return select(inside, depth, F32x16(sampler.border_color[0]));
 }
 
-// Depth textures (GL 1.5 §3.8.14): filtered depths, or filtered results of comparing r with each.
+// The depth, or the result of comparing r with it.
+TERRAZZO_INLINE F32x16 depth_value(const Sampler& sampler, const MipLevel& level, I32x16 index, Mask16 inside,
+                                   F32x16 r) {
+    const F32x16 zero(0.0f), one(1.0f), depth = fetch_depth(sampler, level, index, inside);
+    if (!sampler.compares) return depth;
+    return select(compare(sampler.compare_func, clamp(r, zero, one), depth), one, zero);
+}
+
+TERRAZZO_INLINE Color depth_color(const Sampler& sampler, F32x16 value) {
+    const F32x16 zero(0.0f);
+    switch (sampler.depth_mode) {
+        case BaseFormat::kIntensity:
+            return {value, value, value, value};
+        case BaseFormat::kAlpha:
+            return {zero, zero, zero, value};
+        default:
+            return {value, value, value, F32x16(1.0f)};
+    }
+}
+
+// Depth textures (GL 1.5 §3.8.14): filtered depths, or filtered results of comparisons.
 TERRAZZO_NOINLINE Color sample_depth(const Sampler& sampler, const MipLevel& level, Filter filter,
                                      const TexturePoint& at) {
     const FloatAxis x = float_axis(sampler.wrap_s, filter, at.s, level.width);
     FloatAxis y = no_axis();
     if (sampler.dimensions > 1) y = float_axis(sampler.wrap_t, filter, at.t, level.height);
-    const F32x16 zero(0.0f), one(1.0f), reference = clamp(at.r, zero, one);
     const auto texel = [&](I32x16 column, I32x16 row, Mask16 inside) {
-        const F32x16 depth = fetch_depth(sampler, level, row * I32x16(level.pitch) + column, inside);
-        return sampler.compares ? select(compare(sampler.compare_func, reference, depth), one, zero) : depth;
+        return depth_value(sampler, level, row * I32x16(level.pitch) + column, inside, at.r);
     };
     // Results are weighed as sums of two products, depths by differences.
     const auto along_x = [&](F32x16 first, F32x16 second) {
-        return sampler.compares ? first * (one - x.weight) + second * x.weight
+        return sampler.compares ? first * (F32x16(1.0f) - x.weight) + second * x.weight
                                 : first + x.weight * (second - first);
     };
     F32x16 value = texel(x.first, y.first, x.first_inside & y.first_inside);
@@ -380,14 +399,7 @@ TERRAZZO_NOINLINE Color sample_depth(const Sampler& sampler, const MipLevel& lev
             value = value + y.weight * (high - value);
         }
     }
-    switch (sampler.depth_mode) {
-        case BaseFormat::kIntensity:
-            return {value, value, value, value};
-        case BaseFormat::kAlpha:
-            return {zero, zero, zero, value};
-        default:
-            return {value, value, value, one};
-    }
+    return depth_color(sampler, value);
 }
 
 TERRAZZO_INLINE bool samples_fixed(const Sampler& sampler) {
@@ -413,14 +425,17 @@ TERRAZZO_INLINE F32x16 fast_log2(F32x16 x) {
     return exponent + (mantissa - F32x16(1.0f));
 }
 
+// What each 2x2 quad of the tile has in its first column and row, in all its pixels.
+TERRAZZO_INLINE F32x16 first_of_quad(F32x16 v) {
+    v = select(mask_from_bits(0xaaaa), swap_columns(v), v);
+    return select(mask_from_bits(0xf0f0), swap_rows(v), v);
+}
+
 // lambda of the squared scale factor rho. Where it is one value for each 2x2 quad of the tile, what counts is
 // in its first column and row.
 TERRAZZO_INLINE F32x16 lambda_of(const Sampler& sampler, F32x16 squared_rho, bool by_quads) {
     F32x16 lambda = F32x16(0.5f) * fast_log2(squared_rho) + F32x16(sampler.lod_bias);
-    if (by_quads) {
-        lambda = select(mask_from_bits(0xaaaa), swap_columns(lambda), lambda);
-        lambda = select(mask_from_bits(0xf0f0), swap_rows(lambda), lambda);
-    }
+    if (by_quads) lambda = first_of_quad(lambda);
     const F32x16 low(sampler.min_lod), high(sampler.max_lod);
     return select(lambda < low, low, select(lambda > high, high, lambda));
 }
@@ -498,12 +513,6 @@ TERRAZZO_INLINE Color sample_at_lambda(const Sampler& sampler, F32x16 lambda, co
     if (large == 0) return minification();
     const Color magnification = sample_level(sampler, 0, sampler.mag_filter, at);
     return small == 0 ? magnification : select(minified, minification(), magnification);
-}
-
-// The filtered texel of each pixel in `mask`, of textures that are no cube maps.
-TERRAZZO_NOINLINE Color sample_texture(const Sampler& sampler, const TexturePoint& at, uint32_t mask) {
-    if (filters_agree(sampler)) return sample_level(sampler, 0, sampler.mag_filter, at);
-    return sample_at_lambda(sampler, level_of_detail(sampler, at), at, mask);
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

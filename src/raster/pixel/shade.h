@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "raster/half_space.h"
+#include "raster/pixel/anisotropic.h"
 #include "raster/pixel/combine.h"
 #include "raster/pixel/coverage.h"
 #include "raster/pixel/cube.h"
