@@ -288,14 +288,21 @@ void pop_client_attrib(Context& ctx) {
         return record_error(ctx, GL_STACK_UNDERFLOW, "the client attribute stack is empty");
     }
     const SavedClientAttributes& saved = *ctx.attrib.client.back();
-    if (saved.pack) ctx.pixels.pack = *saved.pack;
-    if (saved.unpack) ctx.pixels.unpack = *saved.unpack;
+    // Buffers that were deleted meanwhile stay deleted.
+    const auto forget_deleted = [&](std::shared_ptr<BufferObject>& buffer) {
+        if (buffer && !is_live(ctx, *buffer)) buffer.reset();
+    };
+    if (saved.pack) {
+        ctx.pixels.pack = *saved.pack;
+        forget_deleted(ctx.pixels.pack.buffer);
+    }
+    if (saved.unpack) {
+        ctx.pixels.unpack = *saved.unpack;
+        forget_deleted(ctx.pixels.unpack.buffer);
+    }
     if (saved.arrays) {
         ctx.arrays = *saved.arrays;
-        // Buffers that were deleted meanwhile stay deleted.
-        for_each_buffer_binding(ctx.arrays, [&](std::shared_ptr<BufferObject>& buffer) {
-            if (buffer && !is_live(ctx, *buffer)) buffer.reset();
-        });
+        for_each_buffer_binding(ctx.arrays, forget_deleted);
     }
     ctx.attrib.client.pop_back();
 }

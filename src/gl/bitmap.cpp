@@ -7,6 +7,7 @@
 #include "gl/client_pixel.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
+#include "gl/pixel_buffers.h"
 #include "gl/pixel_rect.h"
 
 namespace terrazzo::gl {
@@ -120,9 +121,13 @@ void bitmap(Context& ctx, GLsizei width, GLsizei height, GLfloat xorig, GLfloat 
     if (!position.valid) return;
     if (ctx.render_mode.mode != GL_RENDER) {
         capture_raster(ctx, GL_BITMAP_TOKEN);
-    } else if (bitmap && width > 0 && height > 0) {
-        draw_bitmap(ctx, width, height, corner(position.window[0], xorig), corner(position.window[1], yorig),
-                    bitmap);
+    } else if (width > 0 && height > 0) {
+        const PixelMemory bits =
+            find_image(ctx, ctx.pixels.unpack, {width, height}, GL_COLOR_INDEX, GL_BITMAP, bitmap);
+        if (!bits.is_usable()) return record_error(ctx, bits.rule.code, bits.rule.words);
+        if (bits.data)
+            draw_bitmap(ctx, width, height, corner(position.window[0], xorig),
+                        corner(position.window[1], yorig), bits.data);
     }
     position.window[0] += xmove;
     position.window[1] += ymove;

@@ -23,6 +23,10 @@ std::shared_ptr<BufferObject>* find_binding(Context& ctx, GLenum target) {
             return &ctx.arrays.array_buffer;
         case GL_ELEMENT_ARRAY_BUFFER:
             return &ctx.arrays.element_buffer;
+        case GL_PIXEL_PACK_BUFFER:
+            return &ctx.pixels.pack.buffer;
+        case GL_PIXEL_UNPACK_BUFFER:
+            return &ctx.pixels.unpack.buffer;
     }
     return nullptr;
 }
@@ -66,9 +70,12 @@ std::byte* sub_data(Context& ctx, GLenum target, GLintptr offset, GLsizeiptr siz
 
 // A deleted object is unbound from everything in this context; others keep what they have bound.
 void unbind(Context& ctx, const BufferObject* buffer) {
-    for_each_buffer_binding(ctx.arrays, [&](std::shared_ptr<BufferObject>& binding) {
+    const auto forget = [&](std::shared_ptr<BufferObject>& binding) {
         if (binding.get() == buffer) binding.reset();
-    });
+    };
+    for_each_buffer_binding(ctx.arrays, forget);
+    forget(ctx.pixels.pack.buffer);
+    forget(ctx.pixels.unpack.buffer);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Buffer objects (GL 1.5 §2.9, table 6.8): memory of the library that vertex arrays and indices are read
-// from.
+// Buffer objects (GL 1.5 §2.9, table 6.8): memory of the library that vertex arrays, indices and pixels are
+// read from, and pixels are written to.
 //
 // Buffer objects are shared between contexts; everything in one but the bytes of its store is accessed under
 // the mutex of the share group. The store itself is replaced as a whole, so that who reads it takes a

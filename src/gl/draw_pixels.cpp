@@ -6,6 +6,7 @@
 #include "gl/client_pixel.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
+#include "gl/pixel_buffers.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_tiles.h"
 #include "gl/pixel_transfer.h"
@@ -143,10 +144,12 @@ void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLe
     Rule rule = check_client_pixel(format, type);
     if (rule.code == GL_NO_ERROR) rule = check_buffer(ctx.surface.format, format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
-    if (!ctx.raster_position.valid || !pixels) return;
+    if (!ctx.raster_position.valid || !(pixels || ctx.pixels.unpack.buffer)) return;
     if (ctx.render_mode.mode != GL_RENDER) return capture_raster(ctx, GL_DRAW_PIXEL_TOKEN);
+    const PixelMemory memory = find_image(ctx, ctx.pixels.unpack, {width, height}, format, type, pixels);
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
     const PixelGrid grid = make_pixel_grid(ctx, width, height);
-    if (!grid.empty()) draw_rows(ctx, format, grid, ClientRows(ctx, width, format, type, pixels));
+    if (!grid.empty()) draw_rows(ctx, format, grid, ClientRows(ctx, width, format, type, memory.data));
 }
 
 }  // namespace terrazzo::gl

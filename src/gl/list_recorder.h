@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "gl/list_image.h"
 #include "gl/list_record.h"
+#include "gl/pixel_buffers.h"
 
 namespace terrazzo::gl {
 
@@ -61,6 +62,21 @@ class CopiedArray {
     const void* m_bytes;
     std::size_t m_size;
 };
+
+// The pixels that a command reads when it is compiled (GL 1.5 §5.4), in the client's memory or the unpack
+// buffer.
+inline PixelMemory find_list_image(const Context& ctx, GLsizei width, GLsizei height, GLsizei depth,
+                                   GLenum format, GLenum type, const void* pixels) {
+    const ImageSize size{width, height, depth == kNoDepth ? 1 : depth, depth == kNoDepth ? 2 : 3};
+    return find_image(ctx, ctx.pixels.unpack, size, format, type, pixels);
+}
+template <typename Element>
+PixelMemory find_list_elements(const Context& ctx, GLsizei count, const Element* elements) {
+    if constexpr (std::is_void_v<Element>)
+        return find_elements(ctx, ctx.pixels.unpack, count, 1, elements);
+    else
+        return find_elements(ctx, ctx.pixels.unpack, count, sizeof(Element), elements);
+}
 
 // An image argument on its way behind a record.
 class UnpackedImage {

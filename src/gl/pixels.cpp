@@ -9,6 +9,7 @@
 #include "gl/client_pixel.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
+#include "gl/pixel_buffers.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -122,6 +123,15 @@ PixelMap& pixel_map_of(Context& ctx, GLenum map) {
     return ctx.pixels.maps[map - GL_PIXEL_MAP_I_TO_I];
 }
 
+// A map's values in the program's memory or a buffer; null, and the error is recorded, where there are none.
+template <typename T>
+T* find_values(Context& ctx, const PixelStore& store, GLsizei count, T* values) {
+    PixelMemory memory = find_elements(ctx, store, count, sizeof(T), values);
+    if (memory.is_usable() && !memory.data) memory.rule = {GL_INVALID_VALUE, "values is null"};
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words), nullptr;
+    return reinterpret_cast<T*>(memory.data);
+}
+
 // `scale` turns a colour in the program's type into 0..1.
 template <typename T>
 void set_pixel_map(Context& ctx, GLenum map, GLsizei size, const T* values, double scale) {
@@ -132,6 +142,8 @@ void set_pixel_map(Context& ctx, GLenum map, GLsizei size, const T* values, doub
     if (is_indexed_by_indices(map) && !std::has_single_bit(static_cast<unsigned>(size))) {
         return record_error(ctx, GL_INVALID_VALUE, "the size of a map from indices is no power of two");
     }
+    values = find_values(ctx, ctx.pixels.unpack, size, values);
+    if (!values) return;
     PixelMap& target = pixel_map_of(ctx, map);
     target.size = size;
     for (GLsizei i = 0; i < size; ++i) {
@@ -147,6 +159,8 @@ template <typename T>
 void get_pixel_map(Context& ctx, GLenum map, T* values, double maximum) {
     if (!is_pixel_map(map)) return record_error(ctx, GL_INVALID_ENUM, "unknown pixel map");
     const PixelMap& source = pixel_map_of(ctx, map);
+    values = find_values(ctx, ctx.pixels.pack, source.size, values);
+    if (!values) return;
     for (GLsizei i = 0; i < source.size; ++i) {
         const double value = static_cast<double>(source.values[static_cast<size_t>(i)]);
         const double scaled = holds_indices(map) ? std::round(value) : value * maximum;
@@ -209,7 +223,8 @@ void pixel_mapusv(Context& ctx, GLenum map, GLsizei mapsize, const GLushort* val
 void get_pixel_mapfv(Context& ctx, GLenum map, GLfloat* values) {
     if (!is_pixel_map(map)) return record_error(ctx, GL_INVALID_ENUM, "unknown pixel map");
     const PixelMap& source = pixel_map_of(ctx, map);
-    std::copy_n(source.values.begin(), source.size, values);
+    values = find_values(ctx, ctx.pixels.pack, source.size, values);
+    if (values) std::copy_n(source.values.begin(), source.size, values);
 }
 
 void get_pixel_mapuiv(Context& ctx, GLenum map, GLuint* values) {

@@ -6,10 +6,13 @@
 #include <GL/glext.h>
 
 #include <array>
+#include <memory>
 
 #include "gl/limits.h"
 
 namespace terrazzo::gl {
+
+struct BufferObject;
 
 // GL 1.5 table 3.1. The default is what commands take their pixels from when a display list replays them.
 struct PixelStore {
@@ -21,6 +24,7 @@ struct PixelStore {
     GLint skip_pixels = 0;
     GLint skip_images = 0;
     GLint alignment = 4;
+    std::shared_ptr<BufferObject> buffer;  // where the pixels are; null: in the client's memory
 };
 
 // GL 1.5 table 3.2.

@@ -4,6 +4,7 @@
 
 #include "gl/change.h"
 #include "gl/generated/commands.h"
+#include "gl/pixel_buffers.h"
 #include "gl/rasterization.h"
 
 namespace terrazzo::gl {
@@ -27,29 +28,40 @@ BitAddress bit_address(const PixelStore& store, int x, int y) {
             static_cast<GLubyte>(store.lsb_first ? 1u << bit : 0x80u >> bit)};
 }
 
+// The pattern's bytes; null, and the error is recorded, where there are none.
+GLubyte* find_pattern(Context& ctx, const PixelStore& store, const GLubyte* mask) {
+    PixelMemory memory =
+        find_image(ctx, store, {kStippleSize, kStippleSize}, GL_COLOR_INDEX, GL_BITMAP, mask);
+    if (memory.is_usable() && !memory.data) memory.rule = {GL_INVALID_VALUE, "mask is null"};
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words), nullptr;
+    return reinterpret_cast<GLubyte*>(memory.data);
+}
+
 }  // namespace
 
 void polygon_stipple(Context& ctx, const GLubyte* mask) {
-    if (!mask) return record_error(ctx, GL_INVALID_VALUE, "the pattern is a null pointer");
+    const GLubyte* const source_bytes = find_pattern(ctx, ctx.pixels.unpack, mask);
+    if (!source_bytes) return;
     PolygonStipple pattern;
     for (int y = 0; y < kStippleSize; ++y) {
         pattern.rows[y] = 0;
         for (int x = 0; x < kStippleSize; ++x) {
             const BitAddress source = bit_address(ctx.pixels.unpack, x, y);
-            if (mask[source.byte] & source.mask) pattern.rows[y] |= 0x80000000u >> x;
+            if (source_bytes[source.byte] & source.mask) pattern.rows[y] |= 0x80000000u >> x;
         }
     }
     change(ctx, Dirty::kRasterization, ctx.rasterization.polygon_stipple.rows, pattern.rows);
 }
 
 void get_polygon_stipple(Context& ctx, GLubyte* mask) {
-    if (!mask) return record_error(ctx, GL_INVALID_VALUE, "the destination is a null pointer");
+    GLubyte* const bytes = find_pattern(ctx, ctx.pixels.pack, mask);
+    if (!bytes) return;
     for (int y = 0; y < kStippleSize; ++y) {
         for (int x = 0; x < kStippleSize; ++x) {
             const BitAddress target = bit_address(ctx.pixels.pack, x, y);
             const bool set = ctx.rasterization.polygon_stipple.rows[y] & (0x80000000u >> x);
-            mask[target.byte] = static_cast<GLubyte>(set ? mask[target.byte] | target.mask
-                                                         : mask[target.byte] & ~target.mask);
+            bytes[target.byte] = static_cast<GLubyte>(set ? bytes[target.byte] | target.mask
+                                                          : bytes[target.byte] & ~target.mask);
         }
     }
 }

@@ -7,6 +7,7 @@
 #include "gl/client_pixel.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
+#include "gl/pixel_buffers.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
 #include "gl/read_source.h"
@@ -161,7 +162,9 @@ void read_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
     Rule rule = check_client_pixel(format, type);
     if (rule.code == GL_NO_ERROR) rule = check_buffers(ctx, format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
-    if (pixels) PixelReader(ctx, format, type).read(x, y, width, height, pixels);
+    const PixelMemory memory = find_image(ctx, ctx.pixels.pack, {width, height}, format, type, pixels);
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    if (memory.data) PixelReader(ctx, format, type).read(x, y, width, height, memory.data);
 }
 
 }  // namespace terrazzo::gl

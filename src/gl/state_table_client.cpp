@@ -65,6 +65,8 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_EDGE_FLAG_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.edge_flag.stride; }},
 
     // Buffer objects
+    {GL_PIXEL_PACK_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.pixels.pack.buffer); }},
+    {GL_PIXEL_UNPACK_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.pixels.unpack.buffer); }},
     {GL_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.array_buffer); }},
     {GL_ELEMENT_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.element_buffer); }},
     {GL_VERTEX_ARRAY_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.arrays.vertex.buffer); }},

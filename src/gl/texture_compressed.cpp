@@ -9,6 +9,7 @@
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/mipmap.h"
+#include "gl/pixel_buffers.h"
 #include "gl/texture_spec.h"
 
 namespace terrazzo::gl {
@@ -79,9 +80,11 @@ void compressed_tex_image_2d(Context& ctx, GLenum target_name, GLint level_numbe
     }
     if (!supported) return record_error(ctx, GL_INVALID_VALUE, "the size is not supported");
     if (!is_supported_memory(spec, texels)) throw std::bad_alloc();
+    const PixelMemory memory = find_elements(ctx, ctx.pixels.unpack, size, 1, data);
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
     begin_change(ctx, Dirty::kTexture);
     TextureLevel made = make_level(spec, texels);
-    const auto* const bytes = static_cast<const std::byte*>(data);
+    const std::byte* const bytes = memory.data;
     auto blocks = std::make_shared<CompressedBlocks>();
     blocks->format = format;
     blocks->bytes.resize(static_cast<std::size_t>(size));
@@ -114,6 +117,9 @@ void compressed_tex_sub_image_2d(Context& ctx, GLenum target_name, GLint level_n
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "the size is negative");
     if (size < 0 || static_cast<std::size_t>(size) != format->image_bytes(width, height))
         return record_error(ctx, GL_INVALID_VALUE, "the size is not that of such an image");
+    const PixelMemory memory = find_elements(ctx, ctx.pixels.unpack, size, 1, data);
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    if (!memory.data && size > 0) return record_error(ctx, GL_INVALID_VALUE, "data is null");
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
     TextureLevel& level = target.level(level_number);
@@ -124,7 +130,7 @@ void compressed_tex_sub_image_2d(Context& ctx, GLenum target_name, GLint level_n
     if (!is_aligned(xoffset, width, level.width) || !is_aligned(yoffset, height, level.height))
         return record_error(ctx, GL_INVALID_OPERATION, "the rectangle does not end with blocks");
     if (!level.image || box.is_empty()) return;
-    const auto* const bytes = static_cast<const std::byte*>(data);
+    const std::byte* const bytes = memory.data;
     auto blocks = std::make_shared<CompressedBlocks>(*level.blocks);
     copy_blocks(bytes, box, level.width, *blocks);
     decode_blocks(*format, bytes, width, height, xoffset, yoffset, writable_image(ctx, level));
@@ -137,10 +143,14 @@ void get_compressed_tex_image(Context& ctx, GLenum target_name, GLint level_numb
     if (!target.object || target.is_proxy)
         return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
     if (!is_level(level_number)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
+    PixelMemory memory = find_pixel_memory(ctx, ctx.pixels.pack, image, 1);
     const auto lock = lock_textures(ctx);
     const TextureLevel& level = target.level(level_number);
     if (!level.blocks) return record_error(ctx, GL_INVALID_OPERATION, "the level's image is not compressed");
-    std::memcpy(image, level.blocks->bytes.data(), level.blocks->bytes.size());
+    memory.require(level.blocks->bytes.size());
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    if (!memory.data) return record_error(ctx, GL_INVALID_VALUE, "image is null");
+    std::memcpy(memory.data, level.blocks->bytes.data(), level.blocks->bytes.size());
 }
 
 }  // namespace terrazzo::gl

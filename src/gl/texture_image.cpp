@@ -9,6 +9,7 @@
 #include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
 #include "gl/mipmap.h"
+#include "gl/pixel_buffers.h"
 #include "gl/texture_spec.h"
 
 namespace terrazzo::gl {
@@ -76,7 +77,11 @@ void tex_image(Context& ctx, GLenum target_name, LevelSpec spec, const ClientIma
     if (rule.code == GL_NO_ERROR) rule = check_depth_target(target, *format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     if (target.is_proxy) return specify_proxy(target, spec, *format);
-    specify_image(ctx, target, spec, *format, client);
+    const PixelMemory memory =
+        find_image(ctx, ctx.pixels.unpack, {spec.width, spec.height, spec.depth, spec.dimensions},
+                   client.format, client.type, client.pixels);
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    specify_image(ctx, target, spec, *format, {client.format, client.type, memory.data});
 }
 
 void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const LevelBox& box, int dimensions,
@@ -91,6 +96,9 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
         return record_error(ctx, rule.code, rule.words);
     }
     settle_framebuffers(ctx);
+    const PixelMemory memory =
+        find_image(ctx, ctx.pixels.unpack, {box.width, box.height, box.depth, dimensions}, client.format,
+                   client.type, client.pixels);
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
     TextureLevel& level = target.level(level_number);
@@ -99,8 +107,10 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
         return record_error(ctx, rule.code, rule.words);
     }
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
-    if (!client.pixels || !level.image || box.is_empty()) return;
-    upload(ctx.pixels, client, *level.format, box, dimensions, writable_image(ctx, level));
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    if (!memory.data || !level.image || box.is_empty()) return;
+    upload(ctx.pixels, {client.format, client.type, memory.data}, *level.format, box, dimensions,
+           writable_image(ctx, level));
     update_mipmap(target, level_number);
 }
 

@@ -9,6 +9,7 @@
 #include "gl/context.h"
 #include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
+#include "gl/pixel_buffers.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
 #include "gl/texel_row.h"
@@ -157,16 +158,22 @@ void get_tex_image(Context& ctx, GLenum target_name, GLint level_number, GLenum 
         rule = {GL_INVALID_ENUM, "textures give no such pixels"};
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     settle_framebuffers(ctx);
+    const PixelStore& pack = ctx.pixels.pack;
+    PixelMemory memory = find_pixel_memory(ctx, pack, pixels, element_size(type));
     const auto lock = lock_textures(ctx);
     const TextureLevel& level = target.level(level_number);
     if (level.format) rule = check_pixels_fit(format, *level.format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
-    if (!level.image || !pixels) return;
+    if (!level.image) return;
+    if (pack.buffer)
+        memory.require(
+            image_end(pack, {level.width, level.height, level.depth, target.dimensions}, format, type));
+    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    if (!memory.data) return;
     const pipeline::TextureImage& image = *level.image;
-    const ImageLayout layout =
-        image_layout(ctx.pixels.pack, level.width, level.height, target.dimensions, format, type);
+    const ImageLayout layout = image_layout(pack, level.width, level.height, target.dimensions, format, type);
     const size_t pixel_size = bytes_per_pixel(format, type);
-    auto* first = static_cast<uint8_t*>(pixels) + layout.offset;
+    auto* first = reinterpret_cast<uint8_t*>(memory.data) + layout.offset;
     for (GLsizei z = 0; z < level.depth; ++z, first += layout.image_stride) {
         uint8_t* row = first;
         for (GLsizei y = 0; y < level.height; ++y, row += layout.row_stride) {

@@ -513,7 +513,8 @@ void play_array(Player& p) {
 void play_buffer(Player& p) {
     const GLuint name = p.pick(4);
     p.note(std::to_string(name));
-    const GLenum target = p.enumerant({TERRAZZO_E(GL_ARRAY_BUFFER), TERRAZZO_E(GL_ELEMENT_ARRAY_BUFFER)});
+    const GLenum target = p.enumerant({TERRAZZO_E(GL_ARRAY_BUFFER), TERRAZZO_E(GL_ELEMENT_ARRAY_BUFFER),
+                                       TERRAZZO_E(GL_PIXEL_UNPACK_BUFFER)});
     const GLintptr offset = static_cast<GLintptr>(p.pick(40)) - 4;
     const GLsizeiptr size = static_cast<GLsizeiptr>(p.pick(40)) - 4;
     GLubyte bytes[64] = {};

@@ -58,15 +58,39 @@ def element_count(policy, command, parameter):
     return parameter.length
 
 
-def image_source(command, parameter):
-    """C++ for the unpacked image behind a pointer argument."""
+def image_arguments(command, parameter):
+    """C++ for what there is to know of the image behind a pointer argument."""
     names = {p.name for p in command.parameters}
     if parameter.name == "mask":
-        return f"UnpackedImage(ctx, 32, 32, kNoDepth, GL_COLOR_INDEX, GL_BITMAP, {parameter.name})"
+        return "32, 32, kNoDepth, GL_COLOR_INDEX, GL_BITMAP"
     size = ", ".join(n if n in names else other
                      for n, other in (("width", "1"), ("height", "1"), ("depth", "kNoDepth")))
-    form = "format, type" if "format" in names else "GL_COLOR_INDEX, GL_BITMAP"
-    return f"UnpackedImage(ctx, {size}, {form}, {parameter.name})"
+    return size + (", format, type" if "format" in names else ", GL_COLOR_INDEX, GL_BITMAP")
+
+
+def is_unpacked(command):
+    """Whether what a pointer argument points at may be in the unpack buffer."""
+    return any(map(is_image, command.parameters)) or command.short.startswith(("CompressedTex", "PixelMap"))
+
+
+def find_pixels(policy, command, parameter):
+    """C++ that finds the pixels behind a pointer argument, or returns with the error there is."""
+    name = parameter.name
+    if is_image(parameter):
+        found = f"find_list_image(ctx, {image_arguments(command, parameter)}, {name})"
+    else:
+        found = f"find_list_elements(ctx, {element_count(policy, command, parameter)}, {name})"
+    return [f"    const PixelMemory {name}_memory = {found};",
+            f"    if (!{name}_memory.is_usable()) return record_error(ctx, {name}_memory.rule.code, {name}_memory.rule.words);"]
+
+
+def source(policy, command, parameter):
+    """C++ for the copy of what is behind a pointer argument."""
+    name = parameter.name
+    if is_image(parameter):
+        return f"UnpackedImage(ctx, {image_arguments(command, parameter)}, {name}_memory.data)"
+    at = f"reinterpret_cast<{parameter.type.replace('const void', 'const std::byte')}>({name}_memory.data)" if is_unpacked(command) else name
+    return f"CopiedArray({at}, {element_count(policy, command, parameter)})"
 
 
 def recorder(policy, command):
@@ -78,12 +102,13 @@ def recorder(policy, command):
     makes_image = any(is_image(p) for p in command.parameters) or short.startswith("CompressedTexImage")
     if "target" in arguments and makes_image:
         lines.append(f"    if (is_proxy_target(target)) return {execute};")
-    lines.append("    record(ctx, [&](DisplayList& display_list) {")
     pointers = [p for p in command.parameters if p.is_pointer]
+    if is_unpacked(command):
+        for p in pointers:
+            lines += find_pixels(policy, command, p)
+    lines.append("    record(ctx, [&](DisplayList& display_list) {")
     for p in pointers:
-        source = (image_source(command, p) if is_image(p)
-                  else f"CopiedArray({p.name}, {element_count(policy, command, p)})")
-        lines.append(f"        const auto {p.name}_source = {source};")
+        lines.append(f"        const auto {p.name}_source = {source(policy, command, p)};")
     behind = " + ".join(f"{p.name}_source.padded_size()" for p in pointers)
     reference = "auto& made = " if command.parameters else ""
     lines.append(f"        {reference}display_list.append<{short}Record>({behind});")
@@ -122,7 +147,7 @@ def player_case(command):
     arguments = ""
     for p in command.parameters:
         arguments += f", behind<{p.type}>(r, r.{p.name}_offset)" if p.is_pointer else f", r.{p.name}"
-    tight = "            const TightUnpack tight(ctx);\n" if any(map(is_image, command.parameters)) else ""
+    tight = "            const TightUnpack tight(ctx);\n" if is_unpacked(command) else ""
     reference = f"            const auto& r = record_cast<{command.short}Record>(header);\n"
     return (f"        case Opcode::k{command.short}: {{\n{reference if command.parameters else ''}{tight}"
             f"            return gl.{command.short}(&ctx{arguments});\n        }}\n")
