@@ -171,6 +171,48 @@ SCENE(fbo_shadow, "a shadow map drawn into a depth texture without a colour buff
     gl.End();
 }
 
+SCENE(fbo_depth_stencil_texture, "a texture of depths and stencil values: written, drawn to, given back") {
+    std::vector<GLuint> pixels(64 * 64);
+    for (GLuint i = 0; i < pixels.size(); ++i) pixels[i] = (0xc00000 + i * 500) << 8 | i / 64 % 16;
+    GLuint texture;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, 64, 64, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                  pixels.data());
+    const GLuint name = framebuffer(gl);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+    gl.DrawBuffer(GL_NONE);
+    gl.ReadBuffer(GL_NONE);
+    const auto draw = [&](GLenum function, float size) {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, name);
+        gl.Viewport(0, 0, 64, 64);
+        pixel_projection(gl, 64, 64);
+        gl.Enable(GL_DEPTH_TEST);
+        gl.Enable(GL_STENCIL_TEST);
+        gl.StencilFunc(function, 9, 15);
+        gl.StencilOp(GL_INCR, GL_REPLACE, GL_INVERT);
+        rectangle(gl, 10, 5, size, size + 3, -0.6F);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        gl.Viewport(0, 0, kSize, kSize);
+        gl.Disable(GL_STENCIL_TEST);
+        gl.GetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pixels.data());
+    };
+    draw(GL_LESS, 50);
+    gl.WindowPos2i(8, 8);
+    gl.DrawPixels(64, 64, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pixels.data());
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 20, 30, 40, 20, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pixels.data());
+    draw(GL_NOTEQUAL, 40);
+    gl.WindowPos2i(90, 8);
+    gl.DrawPixels(64, 64, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pixels.data());
+    pixel_projection(gl);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilFunc(GL_LESS, 7, 255);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.Color3f(0.9F, 0.6F, 0.1F);
+    rectangle(gl, 0, 0, kSize, kSize, -0.7F);
+}
+
 SCENE(fbo_sizes, "attachments of different sizes: what they have in common is drawn to, the rest stays") {
     const GLuint name = framebuffer(gl);
     const GLuint wide = renderbuffer(gl, GL_RGBA8, 200, 90), high = renderbuffer(gl, GL_RGBA8, 70, 150),

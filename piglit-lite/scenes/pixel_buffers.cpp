@@ -43,7 +43,6 @@ SCENE(pixel_buffer_rectangles, "DrawPixels and Bitmap out of a buffer, with offs
     gl.WindowPos2i(10, 100);
     gl.Bitmap(60, 50, 0, 0, 0, 0, static_cast<const GLubyte*>(at(5)));
     gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-    gl.PixelZoom(2, 1.5F);
     show(gl, 100, 100, 64, 64);
 }
 

@@ -88,6 +88,12 @@ Rule check_client_pixel(GLenum format, GLenum type) {
         if (fits_packed(format, *packed)) return {};
         return {GL_INVALID_OPERATION, "the packed type does not fit the format"};
     }
+    // EXT_packed_depth_stencil: the one for the other.
+    if (type == GL_UNSIGNED_INT_24_8) {
+        if (format == GL_DEPTH_STENCIL) return {};
+        return {GL_INVALID_OPERATION, "GL_UNSIGNED_INT_24_8 holds depth and stencil"};
+    }
+    if (format == GL_DEPTH_STENCIL) return {GL_INVALID_ENUM, "depth and stencil are GL_UNSIGNED_INT_24_8"};
     if (!is_color_format(format) && !is_index_format(format) && format != GL_DEPTH_COMPONENT) {
         return {GL_INVALID_ENUM, "unknown pixel format"};
     }
@@ -95,8 +101,7 @@ Rule check_client_pixel(GLenum format, GLenum type) {
         if (is_index_format(format)) return {};
         return {GL_INVALID_ENUM, "GL_BITMAP needs an index format"};
     }
-    if (element_size(type) == 0 || type == GL_UNSIGNED_INT_24_8)
-        return {GL_INVALID_ENUM, "unknown pixel type"};
+    if (element_size(type) == 0) return {GL_INVALID_ENUM, "unknown pixel type"};
     return {};
 }
 

@@ -69,6 +69,7 @@ struct CopiedRect {
     pipeline::PixelRect rect;
 };
 
+// `type` is not GL_DEPTH_STENCIL here.
 CopiedRect copy_rows(GLenum type, const PixelGrid& grid, const BufferRows& rows) {
     const auto read = [&](int row, int first, int count, auto* pixels) {
         rows.read(row, first, count, pixels);
@@ -91,7 +92,9 @@ CopiedRect copy_rows(GLenum type, const PixelGrid& grid, const BufferRows& rows)
 
 bool is_there(const Context& ctx, GLenum type) {
     const auto holds = [&](const raster::TargetFormat& format) {
-        return type == GL_COLOR || (type == GL_DEPTH ? format.depth_bits : format.stencil_bits) != 0;
+        const bool wants_depth = type == GL_DEPTH || type == GL_DEPTH_STENCIL,
+                   wants_stencil = type == GL_STENCIL || type == GL_DEPTH_STENCIL;
+        return (!wants_depth || format.depth_bits != 0) && (!wants_stencil || format.stencil_bits != 0);
     };
     return holds(ctx.surface.format) &&
            (!has_read_source(ctx) || holds(ctx.surface.read->target()->format()));
@@ -101,8 +104,9 @@ bool is_there(const Context& ctx, GLenum type) {
 
 void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
-    if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL)
-        return record_error(ctx, GL_INVALID_ENUM, "type is not GL_COLOR, GL_DEPTH or GL_STENCIL");
+    const bool both = type == GL_DEPTH_STENCIL;
+    if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && !both)
+        return record_error(ctx, GL_INVALID_ENUM, "there is no such type of buffer");
     if (!check_framebuffer(ctx) || !check_read_framebuffer(ctx)) return;
     if (type == GL_COLOR && has_read_source(ctx) && !ctx.surface.read->target()->has_color())
         return record_error(ctx, GL_INVALID_OPERATION, "there is no colour buffer");
@@ -111,14 +115,16 @@ void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
     if (ctx.render_mode.mode != GL_RENDER) return capture_raster(ctx, GL_COPY_PIXEL_TOKEN);
     PixelGrid grid = make_pixel_grid(ctx, width, height);
     if (grid.empty()) return;
-    CopiedRect copied;
+    CopiedRect copied, depths;
     {
         const BufferRows rows(ctx, x, y);
         rows.cut(grid, width, height);
         if (grid.empty()) return;
-        copied = copy_rows(type, grid, rows);
+        copied = copy_rows(both ? GL_STENCIL : type, grid, rows);
+        if (both) depths = copy_rows(GL_DEPTH, grid, rows);
     }
-    draw_pixel_rect(ctx, copied.image, copied.rect);
+    draw_pixel_rect(ctx, copied.image, copied.rect, both);
+    if (both) draw_pixel_rect(ctx, depths.image, depths.rect, true);
 }
 
 }  // namespace terrazzo::gl

@@ -25,6 +25,7 @@ struct Drawing {
     pipeline::RasterState raster_box;
     bool raster_is_stale = true;
     raster::PixelImage raster_image = raster::PixelImage::kNone;
+    bool raster_past_tests = false;
     std::array<float, 4> raster_color{};
     pipeline::ShadedVertices raster_vertices;  // the one vertex of a raster position that is lit
 };

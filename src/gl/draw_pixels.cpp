@@ -55,6 +55,11 @@ class ClientRows {
     void read_depths(int row, int first, int count, uint32_t* depths) const {
         const float maximum = m_depth_bits == 16 ? 65535.0f : 16777215.0f;
         in_chunks(row, first, count, [&](const uint8_t* from, int, int done, int size) {
+            if (m_format == GL_DEPTH_STENCIL) {
+                uint32_t indices[kPixelChunk];
+                unpack_depths_and_stencils(m_state.unpack.swap_bytes, from, size, depths + done, indices);
+                return transfer_packed_depths(m_state, depths + done, size, m_depth_bits);
+            }
             float z[kPixelChunk];
             unpack_depths(m_type, m_state.unpack.swap_bytes, from, size, z);
             if (changes_depths(m_state)) transfer_depths(m_state, z, size);
@@ -70,8 +75,11 @@ class ClientRows {
 
     void read_stencils(int row, int first, int count, uint8_t* values) const {
         in_chunks(row, first, count, [&](const uint8_t* from, int first_bit, int done, int size) {
-            uint32_t indices[kPixelChunk];
-            read_indices(from, first_bit, size, indices);
+            uint32_t indices[kPixelChunk], depths[kPixelChunk];
+            if (m_format == GL_DEPTH_STENCIL)
+                unpack_depths_and_stencils(m_state.unpack.swap_bytes, from, size, depths, indices);
+            else
+                read_indices(from, first_bit, size, indices);
             if (changes_stencils(m_state)) transfer_stencils(m_state, indices, size);
             for (int i = 0; i < size; ++i) values[done + i] = static_cast<uint8_t>(indices[i]);
         });
@@ -106,18 +114,20 @@ class ClientRows {
 
 void draw_rows(Context& ctx, GLenum format, const PixelGrid& grid, const ClientRows& rows) {
     const auto draw = [&](raster::PixelImage image, pipeline::PixelRect rect) {
-        draw_pixel_rect(ctx, image, rect);
+        draw_pixel_rect(ctx, image, rect, format == GL_DEPTH_STENCIL);
     };
     const auto read = [&](int row, int first, int count, auto* pixels) {
         rows.read(row, first, count, pixels);
     };
-    if (format == GL_STENCIL_INDEX) {
-        return draw(raster::PixelImage::kStencil,
-                    make_pixel_rect<StencilValue>(grid, [&](int row, int first, int count, uint8_t* values) {
-                        rows.read_stencils(row, first, count, values);
-                    }));
+    const bool both = format == GL_DEPTH_STENCIL;
+    if (format == GL_STENCIL_INDEX || both) {
+        draw(raster::PixelImage::kStencil,
+             make_pixel_rect<StencilValue>(grid, [&](int row, int first, int count, uint8_t* values) {
+                 rows.read_stencils(row, first, count, values);
+             }));
+        if (!both) return;
     }
-    if (format == GL_DEPTH_COMPONENT) {
+    if (format == GL_DEPTH_COMPONENT || both) {
         return draw(raster::PixelImage::kDepth,
                     make_pixel_rect<Depth>(grid, [&](int row, int first, int count, uint32_t* depths) {
                         rows.read_depths(row, first, count, depths);
@@ -128,9 +138,10 @@ void draw_rows(Context& ctx, GLenum format, const PixelGrid& grid, const ClientR
 }
 
 Rule check_buffer(const raster::TargetFormat& target, GLenum format) {
-    if (format == GL_DEPTH_COMPONENT && target.depth_bits == 0)
+    const bool both = format == GL_DEPTH_STENCIL;
+    if ((format == GL_DEPTH_COMPONENT || both) && target.depth_bits == 0)
         return {GL_INVALID_OPERATION, "there is no depth buffer"};
-    if (format == GL_STENCIL_INDEX && target.stencil_bits == 0)
+    if ((format == GL_STENCIL_INDEX || both) && target.stencil_bits == 0)
         return {GL_INVALID_OPERATION, "there is no stencil buffer"};
     return {};
 }

@@ -25,10 +25,6 @@ const TextureLevel& level_of(const Attachment& a) {
     return std::as_const(*a.texture).face(a.face)[static_cast<std::size_t>(a.level)];
 }
 
-bool has_stencil(GLint internal_format) {
-    return internal_format == GL_DEPTH24_STENCIL8 || internal_format == GL_DEPTH_STENCIL;
-}
-
 bool is_depth(const TexelFormat& format) {
     return format.base == GL_DEPTH_COMPONENT;
 }
@@ -93,6 +89,11 @@ void load(const Attachment& a, AttachmentPoint point, Target& planes) {
     const TexelFormat& format = *level.format;
     const pipeline::TextureImage& image = *level.image;
     for_each_run(planes, [&](int x, int y, int count) {
+        if (point == kStencilAttachment) {
+            uint8_t stencils[kPixelChunk] = {};
+            if (const uint8_t* const known = image.stencils(x, y)) std::copy_n(known, count, stencils);
+            return pipeline::write_stencil(planes, x, y, count, stencils);
+        }
         if (point == kDepthAttachment) {
             uint32_t depths[kPixelChunk];
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
@@ -108,8 +109,11 @@ void load(const Attachment& a, AttachmentPoint point, Target& planes) {
 
 void store(const Attachment& a, AttachmentPoint point, Target& planes, pipeline::TextureImage& image) {
     const TexelFormat& format = *level_of(a).format;
+    if (point == kStencilAttachment) image.make_stencils();
     for_each_run(planes, [&](int x, int y, int count) {
-        if (point == kDepthAttachment) {
+        if (point == kStencilAttachment) {
+            pipeline::read_stencil(planes, x, y, count, image.stencils(x, y));
+        } else if (point == kDepthAttachment) {
             uint32_t* const depths = image.depths(x, y);
             pipeline::read_depth(planes, x, y, count, depths);
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
@@ -141,7 +145,7 @@ std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point) {
         a.planes->settle();
         a.content = 0;
     }
-    if (point != kStencilAttachment && a.content != level.image->content()) {
+    if (a.content != level.image->content()) {
         load(a, point, *a.planes);
         a.content = level.image->content();
     }
@@ -173,18 +177,25 @@ void compose(Context& ctx, Framebuffer& framebuffer) {
 // Writes what was drawn to textures into their images.
 void store_textures(Context& ctx, Framebuffer& framebuffer) {
     const auto lock = lock_textures(ctx);
-    for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment}) {
+    // Depth and stencil may be one image: which attachments are up to date is known before any is written.
+    std::array<bool, kAttachmentCount> stored{};
+    for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment}) {
+        const Attachment& a = framebuffer.attachments[point];
+        stored[point] = a.texture && a.planes && size_of(a, point).width == a.planes->width() &&
+                        level_of(a).image->content() == a.content;
+    }
+    for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment}) {
+        if (!stored[point]) continue;
         Attachment& a = framebuffer.attachments[point];
-        if (!a.texture || !a.planes || size_of(a, point).width != a.planes->width() ||
-            level_of(a).image->content() != a.content)
-            continue;
         TextureLevel& level = a.texture->face(a.face)[static_cast<std::size_t>(a.level)];
         ctx.drawing.state.fragment.reset();  // it would count as a reference to the image
         pipeline::TextureImage* const image = level.image.writable();
         if (!image) throw std::bad_alloc();
         store(a, point, *a.planes, *image);
-        a.content = image->content();
     }
+    for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment})
+        if (Attachment& a = framebuffer.attachments[point]; stored[point])
+            a.content = level_of(a).image->content();
     ctx.dirty |= static_cast<unsigned>(Dirty::kTexture);
 }
 

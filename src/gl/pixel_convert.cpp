@@ -134,6 +134,15 @@ void unpack_depths(GLenum type, bool swap_bytes, const void* source, int count, 
     });
 }
 
+void unpack_depths_and_stencils(bool swap_bytes, const void* source, int count, uint32_t* depths,
+                                uint32_t* stencils) {
+    for (int i = 0; i < count; ++i) {
+        const auto both = load_component<uint32_t>(static_cast<const uint8_t*>(source), i, swap_bytes);
+        depths[i] = both >> 8;
+        stencils[i] = both & 255;
+    }
+}
+
 void pack_rgba8(GLenum format, GLenum type, bool swap_bytes, const uint8_t* rgba, int count,
                 void* destination) {
     auto* bytes = static_cast<uint8_t*>(destination);
@@ -183,6 +192,13 @@ void pack_indices(GLenum type, bool swap_bytes, bool lsb_first, const uint32_t* 
     }
     with_type(type,
               [&]<typename T>(T) { store_components(indices, count, swap_bytes, from_index<T>, bytes); });
+}
+
+void pack_depths_and_stencils(bool swap_bytes, const uint32_t* depths, const uint32_t* stencils, int count,
+                              void* destination) {
+    for (int i = 0; i < count; ++i)
+        store_component(depths[i] << 8 | (stencils[i] & 255), static_cast<uint8_t*>(destination), i,
+                        swap_bytes);
 }
 
 void pack_depths(GLenum type, bool swap_bytes, const float* depths, int count, void* destination) {

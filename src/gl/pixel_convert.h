@@ -65,6 +65,10 @@ void unpack_indices(GLenum type, bool swap_bytes, bool lsb_first, const void* so
 // table 2.9). What is less than 0 or more than 1 stays so.
 void unpack_depths(GLenum type, bool swap_bytes, const void* source, int count, float* depths);
 
+// Client pixels of GL_UNSIGNED_INT_24_8: depths as integers of 24 bits, and stencil indices.
+void unpack_depths_and_stencils(bool swap_bytes, const void* source, int count, uint32_t* depths,
+                                uint32_t* stencils);
+
 // RGBA to client pixels; luminance takes R.
 void pack_rgba8(GLenum format, GLenum type, bool swap_bytes, const uint8_t* rgba, int count,
                 void* destination);
@@ -74,6 +78,10 @@ void pack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const float* r
 // Indices to client memory, masked to the type's positive range (GL 1.5 table 4.6).
 void pack_indices(GLenum type, bool swap_bytes, bool lsb_first, const uint32_t* indices, int count,
                   void* destination, int first_bit);
+
+// Depths as integers of 24 bits, and the lowest 8 bits of stencil indices, to GL_UNSIGNED_INT_24_8.
+void pack_depths_and_stencils(bool swap_bytes, const uint32_t* depths, const uint32_t* stencils, int count,
+                              void* destination);
 
 // Depths in 0..1 to client memory, as one component of any unpacked type.
 void pack_depths(GLenum type, bool swap_bytes, const float* depths, int count, void* destination);

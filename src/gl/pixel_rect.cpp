@@ -24,14 +24,16 @@ bool fits(const Context& ctx, const raster::Varyings& varyings) {
     return true;
 }
 
-void validate_raster(Context& ctx, raster::PixelImage image) {
+void validate_raster(Context& ctx, raster::PixelImage image, bool past_tests) {
     Drawing& drawing = ctx.drawing;
     const RasterPosition& position = ctx.raster_position;
-    if (!drawing.raster_is_stale && drawing.raster_image == image && drawing.raster_color == position.color &&
+    if (!drawing.raster_is_stale && drawing.raster_image == image &&
+        drawing.raster_past_tests == past_tests && drawing.raster_color == position.color &&
         fits(ctx, drawing.raster_fragment->point.varyings))
         return;
-    drawing.raster_fragment = make_raster_fragment(ctx, image);
+    drawing.raster_fragment = make_raster_fragment(ctx, image, past_tests);
     drawing.raster_image = image;
+    drawing.raster_past_tests = past_tests;
     drawing.raster_color = position.color;
     scissor_box(ctx, drawing.raster_box);
     drawing.raster_is_stale = false;
@@ -49,10 +51,10 @@ void fill_varyings(const RasterPosition& position, const raster::Varyings& varyi
 
 }  // namespace
 
-void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect& rect) {
+void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect& rect, bool past_tests) {
     if (!check_framebuffer(ctx)) return;
     flush_vertices(ctx);
-    validate_raster(ctx, image);
+    validate_raster(ctx, image, past_tests);
     // The reference's quad goes through a viewport of its own: these are its roundings.
     rect.z = (ctx.raster_position.window[2] * 2.0f - 1.0f) * 0.5f + 0.5f;
     fill_varyings(ctx.raster_position, ctx.drawing.raster_fragment->point.varyings, rect.varyings.data());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gl/texel_row.h"
+
 namespace terrazzo::gl {
 namespace {
 
@@ -82,6 +84,21 @@ void transfer_depths(const PixelState& state, float* depths, int count) {
     const PixelTransfer& transfer = state.mode.transfer;
     for (int i = 0; i < count; ++i) {
         depths[i] = std::clamp(depths[i] * transfer.depth_scale + transfer.depth_bias, 0.0f, 1.0f);
+    }
+}
+
+void transfer_packed_depths(const PixelState& state, uint32_t* depths, int count, int bits) {
+    const bool changes = changes_depths(state);
+    if (!changes && bits == 24) return;
+    const auto maximum = static_cast<double>((uint64_t{1} << bits) - 1);
+    for (int i = 0; i < count; ++i) {
+        if (!changes) {
+            depths[i] = resize_depth(depths[i], 24, static_cast<unsigned>(bits));
+            continue;
+        }
+        auto z = static_cast<float>(depths[i] * (1.0 / 16777215.0));
+        transfer_depths(state, &z, 1);
+        depths[i] = static_cast<uint32_t>(std::llrint(z * maximum));
     }
 }
 

@@ -25,4 +25,7 @@ void transfer_stencils(const PixelState& state, uint32_t* indices, int count);
 // Scale and bias, clamped to 0..1.
 void transfer_depths(const PixelState& state, float* depths, int count);
 
+// Integers of 24 bits become those of `bits` bits; through floats where there is a scale or a bias.
+void transfer_packed_depths(const PixelState& state, uint32_t* depths, int count, int bits);
+
 }  // namespace terrazzo::gl

@@ -11,6 +11,7 @@
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
 #include "gl/read_source.h"
+#include "gl/texel_row.h"
 #include "pipeline/read_row.h"
 
 namespace terrazzo::gl {
@@ -61,6 +62,8 @@ class PixelReader {
                 return read_depths(run);
             case GL_STENCIL_INDEX:
                 return read_stencils(run);
+            case GL_DEPTH_STENCIL:
+                return read_depths_and_stencils(run);
             default:
                 return is_luminance() ? read_luminances(run) : read_colors(run);
         }
@@ -122,12 +125,27 @@ class PixelReader {
         pack_depths(m_type, swap_bytes, depths, run.count, run.destination);
     }
 
-    void read_stencils(const Run& run) const {
+    void read_indices(const Run& run, uint32_t* indices) const {
         uint8_t bytes[kPixelChunk];
         pipeline::read_stencil(m_source.target(), run.x, m_source.target().row(run.y), run.count, bytes);
-        uint32_t indices[kPixelChunk];
         std::copy_n(bytes, run.count, indices);
         if (changes_stencils(m_state)) transfer_stencils(m_state, indices, run.count);
+    }
+
+    void read_depths_and_stencils(const Run& run) const {
+        uint32_t depths[kPixelChunk], indices[kPixelChunk];
+        pipeline::read_depth(m_source.target(), run.x, m_source.target().row(run.y), run.count, depths);
+        const auto bits = static_cast<unsigned>(m_source.target().format().depth_bits);
+        if (bits != 24)
+            for (int i = 0; i < run.count; ++i) depths[i] = resize_depth(depths[i], bits, 24);
+        transfer_packed_depths(m_state, depths, run.count, 24);
+        read_indices(run, indices);
+        pack_depths_and_stencils(m_state.pack.swap_bytes, depths, indices, run.count, run.destination);
+    }
+
+    void read_stencils(const Run& run) const {
+        uint32_t indices[kPixelChunk];
+        read_indices(run, indices);
         pack_indices(m_type, m_state.pack.swap_bytes, m_state.pack.lsb_first, indices, run.count,
                      run.destination, run.first_bit);
     }
@@ -144,10 +162,11 @@ Rule check_buffers(const Context& ctx, GLenum format) {
     if (is_color_format(format) && !ctx.surface.read->target()->has_color()) {
         return {GL_INVALID_OPERATION, "there is no colour buffer"};
     }
-    if (format == GL_DEPTH_COMPONENT && source.depth_bits == 0) {
+    const bool both = format == GL_DEPTH_STENCIL;
+    if ((format == GL_DEPTH_COMPONENT || both) && source.depth_bits == 0) {
         return {GL_INVALID_OPERATION, "there is no depth buffer"};
     }
-    if (format == GL_STENCIL_INDEX && source.stencil_bits == 0) {
+    if ((format == GL_STENCIL_INDEX || both) && source.stencil_bits == 0) {
         return {GL_INVALID_OPERATION, "there is no stencil buffer"};
     }
     return {};

@@ -213,13 +213,6 @@ void load_texels(const TexelFormat& format, const TextureImage& image, int x, in
 void store_depths(const PixelState& state, GLenum type, int bits, const uint8_t* source, int count,
                   uint32_t* depths) {
     const bool swap_bytes = state.unpack.swap_bytes;
-    if (type == GL_UNSIGNED_INT_24_8) {
-        for (int i = 0; i < count; ++i) {
-            const uint32_t both = load_component<uint32_t>(source, i, swap_bytes);
-            depths[i] = resize_depth(both >> 8, 24, static_cast<unsigned>(bits));
-        }
-        return;
-    }
     const bool integers = type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
     if (integers && bits != 24 && !swap_bytes && !changes_depths(state)) {
         const unsigned size = type == GL_UNSIGNED_SHORT ? 16 : 32;

@@ -30,4 +30,9 @@ struct TexelFormat {
 const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type,
                                        bool swap_bytes);
 
+// Whether textures of an internal format have stencil values beside their depths (EXT_packed_depth_stencil).
+constexpr bool has_stencil(GLint internal_format) {
+    return internal_format == GL_DEPTH_STENCIL || internal_format == GL_DEPTH24_STENCIL8;
+}
+
 }  // namespace terrazzo::gl

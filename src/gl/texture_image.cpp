@@ -28,9 +28,10 @@ void specify_proxy(const ImageTarget& target, const LevelSpec& spec, const Texel
 // nothing can fail: programs that stream pictures through glTexImage save the page faults.
 bool can_refill(Context& ctx, const TextureLevel& level, const LevelSpec& spec, const TexelFormat& format) {
     ctx.drawing.state.fragment.reset();  // stale now, and it would count as a reference to the image
-    return level.format == &format && level.width == spec.width && level.height == spec.height &&
-           level.depth == spec.depth && level.border == spec.border && level.image && !level.image.in_use() &&
-           !level.blocks;
+    return level.format == &format &&
+           has_stencil(level.internal_format) == has_stencil(spec.internal_format) &&
+           level.width == spec.width && level.height == spec.height && level.depth == spec.depth &&
+           level.border == spec.border && level.image && !level.image.in_use() && !level.blocks;
 }
 
 void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spec, const TexelFormat& format,
@@ -42,13 +43,16 @@ void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spe
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
     TextureLevel& level = target.level(spec.level);
+    const bool brings_stencil = client.format == GL_DEPTH_STENCIL && has_stencil(spec.internal_format);
     if (client.pixels && can_refill(ctx, level, spec, format)) {
+        if (brings_stencil) level.image->make_stencils();
         level.image->content_changes();
         upload(ctx.pixels, client, format, all, spec.dimensions, *level.image);
         level.internal_format = spec.internal_format;
         return update_mipmap(target, spec.level);
     }
     TextureLevel made = make_level(spec, format);
+    if (brings_stencil && made.image) made.image->make_stencils();
     if (client.pixels && made.image) upload(ctx.pixels, client, format, all, spec.dimensions, *made.image);
     level = std::move(made);
     update_mipmap(target, spec.level);
@@ -109,8 +113,9 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
     if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
     if (!memory.data || !level.image || box.is_empty()) return;
-    upload(ctx.pixels, {client.format, client.type, memory.data}, *level.format, box, dimensions,
-           writable_image(ctx, level));
+    pipeline::TextureImage& image = writable_image(ctx, level);
+    if (client.format == GL_DEPTH_STENCIL && has_stencil(level.internal_format)) image.make_stencils();
+    upload(ctx.pixels, {client.format, client.type, memory.data}, *level.format, box, dimensions, image);
     update_mipmap(target, level_number);
 }
 

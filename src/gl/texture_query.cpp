@@ -70,6 +70,9 @@ bool query_level(const TextureLevel& level, GLenum pname, GLint& value) {
         case GL_TEXTURE_DEPTH_SIZE:
             value = component_size(level, 0, {GL_DEPTH_COMPONENT});
             return true;
+        case GL_TEXTURE_STENCIL_SIZE:
+            value = level.format && has_stencil(level.internal_format) ? 8 : 0;
+            return true;
         default:
             return false;
     }
@@ -107,9 +110,21 @@ void pack_depth_texels(const PixelState& state, const TextureLevel& level, int x
     pack_depths(type, state.pack.swap_bytes, depths, count, destination);
 }
 
+void pack_depth_stencil_texels(const PixelState& state, const pipeline::TextureImage& image, int x, int y,
+                               int count, uint8_t* destination) {
+    uint32_t depths[kPixelChunk], stencils[kPixelChunk] = {};
+    std::copy_n(image.depths(x, y), count, depths);
+    transfer_packed_depths(state, depths, count, 24);
+    if (const uint8_t* const known = image.stencils(x, y)) std::copy_n(known, count, stencils);
+    if (changes_stencils(state)) transfer_stencils(state, stencils, count);
+    pack_depths_and_stencils(state.pack.swap_bytes, depths, stencils, count, destination);
+}
+
 void pack_texels(const PixelState& state, const TextureLevel& level, int x, int y, int z, int count,
                  GLenum format, GLenum type, uint8_t* destination) {
     const PixelStore& pack = state.pack;
+    if (format == GL_DEPTH_STENCIL)
+        return pack_depth_stencil_texels(state, *level.image, x, y, count, destination);
     if (level.format->base == GL_DEPTH_COMPONENT)
         return pack_depth_texels(state, level, x, y, count, type, destination);
     uint8_t bytes[4 * kPixelChunk];
@@ -154,8 +169,7 @@ void get_tex_image(Context& ctx, GLenum target_name, GLint level_number, GLenum 
         return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
     if (!is_level(level_number)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
     Rule rule = check_texture_pixels(format, type);
-    if (format == GL_COLOR_INDEX || format == GL_DEPTH_STENCIL)
-        rule = {GL_INVALID_ENUM, "textures give no such pixels"};
+    if (format == GL_COLOR_INDEX) rule = {GL_INVALID_ENUM, "textures give no such pixels"};
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     settle_framebuffers(ctx);
     const PixelStore& pack = ctx.pixels.pack;
@@ -163,6 +177,8 @@ void get_tex_image(Context& ctx, GLenum target_name, GLint level_number, GLenum 
     const auto lock = lock_textures(ctx);
     const TextureLevel& level = target.level(level_number);
     if (level.format) rule = check_pixels_fit(format, *level.format);
+    if (level.format && format == GL_DEPTH_STENCIL && !has_stencil(level.internal_format))
+        rule = {GL_INVALID_OPERATION, "the texture has no stencil values"};
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);
     if (!level.image) return;
     if (pack.buffer)

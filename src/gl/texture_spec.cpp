@@ -45,6 +45,7 @@ class RowUploader {
 
     void store(const uint8_t* source, int first_bit, int count, int x, int y, int z) const {
         const bool swap_bytes = m_state.unpack.swap_bytes;
+        if (m_client.format == GL_DEPTH_STENCIL) return store_depths_and_stencils(source, count, x, y);
         if (m_format.base == GL_DEPTH_COMPONENT) {
             return store_depths(m_state, m_client.type, m_format.bits[0], source, count,
                                 m_image.depths(x, y));
@@ -78,6 +79,16 @@ class RowUploader {
     }
 
   private:
+    void store_depths_and_stencils(const uint8_t* source, int count, int x, int y) const {
+        uint32_t stencils[kPixelChunk], *const depths = m_image.depths(x, y);
+        unpack_depths_and_stencils(m_state.unpack.swap_bytes, source, count, depths, stencils);
+        transfer_packed_depths(m_state, depths, count, m_format.bits[0]);
+        uint8_t* const kept = m_image.stencils(x, y);
+        if (!kept) return;
+        if (changes_stencils(m_state)) transfer_stencils(m_state, stencils, count);
+        for (int i = 0; i < count; ++i) kept[i] = static_cast<uint8_t>(stencils[i]);
+    }
+
     const PixelState& m_state;
     const ClientImage& m_client;
     const TexelFormat& m_format;
@@ -121,10 +132,6 @@ bool is_supported_memory(const LevelSpec& spec, const TexelFormat& format) {
 }
 
 Rule check_texture_pixels(GLenum format, GLenum type) {
-    if (format == GL_DEPTH_STENCIL) {
-        if (type == GL_UNSIGNED_INT_24_8) return {};
-        return {GL_INVALID_ENUM, "depth and stencil come as GL_UNSIGNED_INT_24_8"};
-    }
     if (const Rule rule = check_client_pixel(format, type); rule.code != GL_NO_ERROR) return rule;
     if (format == GL_STENCIL_INDEX) return {GL_INVALID_ENUM, "stencil indices are no texels"};
     return {};

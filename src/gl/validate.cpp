@@ -542,7 +542,31 @@ bool shows_image(const raster::FragmentState& state) {
 
 }  // namespace
 
-std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx, raster::PixelImage image) {
+namespace {
+
+// GL 3.0 §4.3.1: of what happens to fragments, pixels of depth and stencil undergo only the scissor test.
+std::shared_ptr<const pipeline::FragmentBlock> make_depth_image_fragment(const Context& ctx) {
+    auto block = std::make_shared<pipeline::FragmentBlock>();
+    make_tests(ctx, block->fill);
+    make_blending(ctx, block->fill);
+    raster::FragmentKey& key = block->fill.key;
+    key.image = raster::PixelImage::kDepth;
+    key.perspective = key.interpolated_color = key.stencil_test = key.logic_op = false;
+    key.blend = raster::BlendKind::kNone;
+    key.alpha_func = raster::Compare::kAlways;
+    key.color_mask = 0;
+    key.depth_test = true;
+    key.depth_func = raster::Compare::kAlways;
+    key.depth_write = ctx.fragment_ops.depth.write_mask;
+    block->complete(false, false);
+    return block;
+}
+
+}  // namespace
+
+std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx, raster::PixelImage image,
+                                                                    bool past_tests) {
+    if (past_tests && image == raster::PixelImage::kDepth) return make_depth_image_fragment(ctx);
     auto block = std::make_shared<pipeline::FragmentBlock>();
     raster::FragmentState& state = block->fill;
     make_tests(ctx, state);

@@ -19,7 +19,8 @@ void make_lighting(const Context& ctx, const pipeline::VertexInput& input, pipel
 void make_texture_coordinates(Context& ctx, int number, pipeline::TextureCoordinates& out);
 
 // What fragments go through that get their colours, texture coordinates and fog distance from the current
-// raster position, where `image` does not give them.
-std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx, raster::PixelImage image);
+// raster position, where `image` does not give them. See draw_pixel_rect() for `past_tests`.
+std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx, raster::PixelImage image,
+                                                                    bool past_tests);
 
 }  // namespace terrazzo::gl

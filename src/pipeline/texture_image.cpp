@@ -57,7 +57,13 @@ std::shared_ptr<TextureImage> TextureImage::create(const Size& size, TexelStorag
 std::shared_ptr<TextureImage> TextureImage::clone() const {
     std::shared_ptr<TextureImage> copy =
         create({width, height, depth, border_x, border_y, border_z}, storage, base_format);
-    if (copy) std::memcpy(copy->m_texels, m_texels, size_in_bytes());
+    if (!copy) return nullptr;
+    std::memcpy(copy->m_texels, m_texels, size_in_bytes());
+    try {
+        copy->m_stencils = m_stencils;
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
     return copy;
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "raster/state.h"
 #include "raster/zeroed_memory.h"
@@ -57,6 +58,17 @@ struct TextureImage {
         return reinterpret_cast<const uint32_t*>(m_texels) + index(x, y, 0);
     }
     uint32_t* depths(int x, int y) { return reinterpret_cast<uint32_t*>(m_texels) + index(x, y, 0); }
+    // Stencil values beside depths; null as long as all are 0 and nothing has called make_stencils(), which
+    // throws std::bad_alloc.
+    const uint8_t* stencils(int x, int y) const {
+        return m_stencils.empty() ? nullptr : m_stencils.data() + index(x, y, 0);
+    }
+    uint8_t* stencils(int x, int y) {
+        return m_stencils.empty() ? nullptr : m_stencils.data() + index(x, y, 0);
+    }
+    void make_stencils() {
+        m_stencils.resize(static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()));
+    }
     // The texel (0, 0, 0), whatever its storage.
     const void* first_texel() const {
         return m_texels + bytes_per_texel(storage) * static_cast<size_t>(index(0, 0, 0));
@@ -105,6 +117,7 @@ struct TextureImage {
 
     raster::ZeroedMemory m_memory;
     uint8_t* m_texels = nullptr;  // the first stored texel, 64-byte aligned, inside m_memory
+    std::vector<uint8_t> m_stencils;
     bool m_abandoned = false;
     uint64_t m_content = 0;
 };

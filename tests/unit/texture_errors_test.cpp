@@ -66,6 +66,22 @@ const BadCall kBadCalls[] = {
          const GLfloat value = 0.5f;
          tex_parameterfv(ctx, GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);
      }},
+    {"DrawPixels, depth and stencil without buffers", GL_INVALID_OPERATION,
+     [](Context& ctx) { draw_pixels(ctx, 1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pixels); }},
+    {"ReadPixels, depth and stencil without buffers", GL_INVALID_OPERATION,
+     [](Context& ctx) { read_pixels(ctx, 0, 0, 1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pixels); }},
+    {"CopyPixels, depth and stencil without buffers", GL_INVALID_OPERATION,
+     [](Context& ctx) { copy_pixels(ctx, 0, 0, 1, 1, GL_DEPTH_STENCIL); }},
+    {"DrawPixels, depth and stencil as floats", GL_INVALID_ENUM,
+     [](Context& ctx) { draw_pixels(ctx, 1, 1, GL_DEPTH_STENCIL, GL_FLOAT, pixels); }},
+    {"TexImage2D, colours as depth and stencil", GL_INVALID_OPERATION,
+     [](Context& ctx) {
+         tex_image_2d(ctx, GL_TEXTURE_2D, 0, 4, 1, 1, 0, GL_RGBA, GL_UNSIGNED_INT_24_8, pixels);
+     }},
+    {"GetTexImage, stencil values of colours", GL_INVALID_OPERATION,
+     [](Context& ctx) {
+         get_tex_image(ctx, GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pixels);
+     }},
     {"GetTexParameter, target", GL_INVALID_ENUM,
      [](Context& ctx) { get_tex_parameterfv(ctx, GL_PROXY_TEXTURE_2D, GL_TEXTURE_PRIORITY, floats); }},
     {"GetTexParameter, name", GL_INVALID_ENUM,
