@@ -12,6 +12,13 @@ namespace terrazzo::gl {
 
 struct Context;
 
+// What lighting made of a raster position: that of the next one, too, where neither the attributes nor the
+// lighting have changed and the light comes from far away.
+struct LitColors {
+    unsigned lighting = 0;  // Drawing::lighting_made; 0 for none
+    std::array<float, 4> color{}, secondary{};
+};
+
 // What a context needs to draw; derived state is remade by validate() when ctx.dirty says so.
 struct Drawing {
     pipeline::DrawState state;
@@ -28,6 +35,9 @@ struct Drawing {
     bool raster_past_tests = false;
     std::array<float, 4> raster_color{};
     pipeline::ShadedVertices raster_vertices;  // the one vertex of a raster position that is lit
+    pipeline::VertexInput raster_input;        // its attributes, all constant
+    unsigned lighting_made = 0;                // how often lighting was derived
+    LitColors raster_lit;
 };
 
 // Queues primitives of vertices that were specified under the present state. `w_is_one`: so is every

@@ -87,7 +87,9 @@ void unpack_rgba8(GLenum format, GLenum type, bool swap_bytes, const void* sourc
 void unpack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const void* source, int count,
                        float* rgba) {
     const auto* bytes = static_cast<const uint8_t*>(source);
-    float components[4 * kPixelChunk];
+    const bool in_place = order_of(format) == Order::kRgba;
+    float scratch[4 * kPixelChunk];
+    float* const components = in_place ? rgba : scratch;
     if (find_packed_type(type)) {
         with_packed_type(type, [&]<PackedType kPacked>() {
             unpack_fields<kPacked>(bytes, swap_bytes, count, components, []<unsigned kBits>(unsigned field) {
@@ -99,7 +101,7 @@ void unpack_rgba_float(GLenum format, GLenum type, bool swap_bytes, const void* 
             load_components<T>(bytes, swap_bytes, count * component_count(format), to_float<T>, components);
         });
     }
-    components_to_rgba(components, order_of(format), 1.0f, count, rgba);
+    if (!in_place) components_to_rgba(components, order_of(format), 1.0f, count, rgba);
 }
 
 void unpack_indices(GLenum type, bool swap_bytes, bool lsb_first, const void* source, int first_bit,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "gl/context.h"
 #include "gl/draw.h"
@@ -76,23 +77,55 @@ GLfloat fog_distance(const Context& ctx, GLfloat distance) {
                : distance;
 }
 
+// Whether every vertex with the same attributes gets the same colours, wherever it is.
+bool is_lit_from_afar(const pipeline::Lighting& lighting) {
+    const auto first = lighting.lights.begin();
+    return !lighting.local_viewer && std::none_of(first, first + lighting.light_count,
+                                                  [](auto& light) { return light.positional || light.spot; });
+}
+
+// Takes over the current values of the attributes that lighting looks at; whether they were the same.
+bool update_lit_attributes(const Context& ctx, pipeline::VertexInput& input) {
+    bool same = true;
+    const auto update = [&](int first, int last) {
+        const auto begin = static_cast<std::size_t>(first),
+                   count = static_cast<std::size_t>(last - first + 1);
+        const auto* const values = &ctx.vertex.current.values[begin];
+        if (std::memcmp(&input.constants[begin], values, count * sizeof *values) == 0) return;
+        std::copy_n(values, count, &input.constants[begin]);
+        same = false;
+    };
+    update(pipeline::kNormal, pipeline::kColor);
+    update(pipeline::kFrontAmbient, pipeline::kBackShininess);
+    return same;
+}
+
 // What lighting makes of the point as a vertex, front side up.
 void light_position(Context& ctx, const Vector4& object, RasterPosition& out) {
-    pipeline::VertexInput input;
-    input.constants = ctx.vertex.current.values;
+    Drawing& drawing = ctx.drawing;
+    pipeline::VertexInput& input = drawing.raster_input;
+    LitColors& lit = drawing.raster_lit;
+    const pipeline::VertexState& state = drawing.state.vertex;
+    const bool is_valid = ctx.dirty == 0 && lit.lighting == drawing.lighting_made;
+    const bool same = is_valid && update_lit_attributes(ctx, input);
+    if (!is_valid) input.constants = ctx.vertex.current.values;
     input.constants[pipeline::kPosition] = object;
-    validate(ctx, input, false);
-    const pipeline::VertexState& state = ctx.drawing.state.vertex;
-    pipeline::ShadedVertices& vertices = ctx.drawing.raster_vertices;
-    vertices.reserve(pipeline::kFirstVarying + 2 * state.varyings.count);
-    const pipeline::FloatEnvironment environment;
-    pipeline::geometry().shade_vertices(state, input, nullptr, 0, 1, vertices);
-    const auto read = [&](int varying) { return vertices.column(pipeline::kFirstVarying + varying)[0]; };
-    for (int c = 0; c < 4; ++c) out.color[static_cast<std::size_t>(c)] = read(state.varyings.color + c);
-    out.secondary_color = {0, 0, 0, 1};
-    if (state.varyings.secondary < 0) return;
-    for (int c = 0; c < 3; ++c)
-        out.secondary_color[static_cast<std::size_t>(c)] = read(state.varyings.secondary + c);
+    if (!same || !is_lit_from_afar(state.lighting)) {
+        if (!is_valid) validate(ctx, input, false);
+        pipeline::ShadedVertices& vertices = drawing.raster_vertices;
+        vertices.reserve(pipeline::kFirstVarying + 2 * state.varyings.count);
+        const pipeline::FloatEnvironment environment;
+        pipeline::geometry().shade_vertices(state, input, nullptr, 0, 1, vertices);
+        const auto read = [&](int varying) { return vertices.column(pipeline::kFirstVarying + varying)[0]; };
+        for (int c = 0; c < 4; ++c) lit.color[static_cast<std::size_t>(c)] = read(state.varyings.color + c);
+        lit.secondary = {0, 0, 0, 1};
+        if (state.varyings.secondary >= 0)
+            for (int c = 0; c < 3; ++c)
+                lit.secondary[static_cast<std::size_t>(c)] = read(state.varyings.secondary + c);
+        lit.lighting = drawing.lighting_made;
+    }
+    out.color = lit.color;
+    out.secondary_color = lit.secondary;
 }
 
 Vector3 normalize(const Vector3& v) {

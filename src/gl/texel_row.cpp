@@ -169,6 +169,8 @@ void store_texels(const TexelFormat& format, const float* rgba, Rounding roundin
     if (image.storage == TexelStorage::kRgba32F) {
         if (rounding == Rounding::kNone)
             return groups_to_texels(format.base_format, 1.0f, rgba, count, image.rgba32f(x, y, z));
+        if (format.base_format == BaseFormat::kRgba)
+            return quantize(format, rgba, count, image.rgba32f(x, y, z));
         float texels[4 * kPixelChunk];
         quantize(format, rgba, count, texels);
         return groups_to_texels(format.base_format, 1.0f, texels, count, image.rgba32f(x, y, z));

@@ -41,7 +41,8 @@ class RowUploader {
           m_bytes(goes_through_bytes(state, client, format)),
           m_direct(m_bytes && stores_groups(format, client.format, client.type)),
           m_exact(holds_all_values(format, client.type)),
-          m_transfer(changes_colors(state)) {}
+          m_transfer(changes_colors(state)),
+          m_exact_rgba(m_exact && !m_transfer && format.base == GL_RGBA && client.format != GL_COLOR_INDEX) {}
 
     void store(const uint8_t* source, int first_bit, int count, int x, int y, int z) const {
         const bool swap_bytes = m_state.unpack.swap_bytes;
@@ -58,6 +59,10 @@ class RowUploader {
             uint8_t rgba[4 * kPixelChunk];
             unpack_rgba8(m_client.format, m_client.type, swap_bytes, source, count, rgba);
             return store_texels(m_format, rgba, Rounding::kThroughBytes, count, m_image, x, y, z);
+        }
+        if (m_exact_rgba) {
+            return unpack_rgba_float(m_client.format, m_client.type, swap_bytes, source, count,
+                                     m_image.rgba32f(x, y, z));
         }
         float rgba[4 * kPixelChunk];
         Rounding rounding = Rounding::kThroughBytes;
@@ -97,6 +102,7 @@ class RowUploader {
     bool m_direct;  // bytes are texels
     bool m_exact;   // floats need no rounding
     bool m_transfer;
+    bool m_exact_rgba;  // floats are texels
 };
 
 }  // namespace

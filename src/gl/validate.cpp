@@ -641,6 +641,7 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     if (new_fragment || ctx.dirty != 0 || drawing.streamed != input.streamed) {
         drawing.streamed = input.streamed;
         make_lighting(ctx, input, vertex);
+        if (++drawing.lighting_made == 0) drawing.lighting_made = 1;
     }
     ctx.dirty = 0;
 }

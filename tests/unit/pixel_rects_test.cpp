@@ -165,5 +165,41 @@ TEST_F(PixelRects, CountInOcclusionQueries) {
     EXPECT_EQ(samples, 16u + 30u);
 }
 
+TEST_F(PixelRects, LitRasterColorsFollowWhatTheyDependOn) {
+    const auto red = [](GLfloat x = 0) {
+        glRasterPos2f(x, 0);
+        GLfloat color[4];
+        glGetFloatv(GL_CURRENT_RASTER_COLOR, color);
+        return color[0];
+    };
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glNormal3f(0, 0, 1);
+    const GLfloat facing = red();
+    EXPECT_GT(facing, 0.8f);
+    EXPECT_EQ(red(0.5f), facing);
+    glNormal3f(1, 0, 0);
+    EXPECT_LT(red(), facing);
+    glNormal3f(0, 0, 1);
+    EXPECT_EQ(red(), facing);
+    // A draw with colours and normals of its own in between.
+    glBegin(GL_TRIANGLES);
+    for (const GLfloat x : {-1.0f, 0.0f, 1.0f}) glNormal3f(x, 1, 0), glColor3f(x, 0, 1), glVertex2f(x, x * x);
+    glEnd();
+    glNormal3f(0, 0, 1);
+    EXPECT_EQ(red(), facing);
+    const GLfloat dim[] = {0.25f, 0.25f, 0.25f, 1}, near[] = {0.5f, 0, 0.1f, 1};
+    glLightfv(GL_LIGHT0, GL_DIFFUSE, dim);
+    EXPECT_LT(red(), facing);
+    glMaterialfv(GL_FRONT, GL_EMISSION, dim);
+    const GLfloat glowing = red();
+    EXPECT_GT(glowing, 0.25f);
+    glRotatef(80, 0, 1, 0);
+    EXPECT_LT(red(), glowing);
+    glLoadIdentity();
+    glLightfv(GL_LIGHT0, GL_POSITION, near);
+    EXPECT_LT(red(-0.9f), red(0.5f));
+}
+
 }  // namespace
 }  // namespace terrazzo::gl
