@@ -3,7 +3,7 @@
 # With TERRAZZO_NO_INSTALL=1 nothing is checked or installed: for systems whose packages go by other names.
 
 packages_build="g++ meson ninja-build pkg-config python3 libhwy-dev khronos-api libx11-dev libx11-xcb-dev libxcb-shm0-dev
-  libglvnd-core-dev libgl-dev libegl-dev"
+  libglvnd-core-dev libgl-dev libegl-dev libopengl-dev"
 packages_tests="libosmesa6-dev libgtest-dev libgmock-dev nlohmann-json3-dev libopenimageio-dev libcli11-dev libfmt-dev
   libbenchmark-dev libtinygltf-dev libstb-dev libglfw3-dev libsdl2-dev assimp-testmodels xvfb python3-opengl
   python3-pyglet mesa-utils apitrace python3-numpy python3-pil xfonts-base libgl1-mesa-dri"
