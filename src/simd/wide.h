@@ -118,6 +118,15 @@ TERRAZZO_INLINE Mask16 operator~(Mask16 a) {
 TERRAZZO_INLINE Mask16 operator!=(F32x16 a, F32x16 b) {
     return ~(a == b);
 }
+TERRAZZO_INLINE Mask16 operator!=(I32x16 a, I32x16 b) {
+    return ~(a == b);
+}
+TERRAZZO_INLINE Mask16 operator<=(I32x16 a, I32x16 b) {
+    return ~(a > b);
+}
+TERRAZZO_INLINE Mask16 operator>=(I32x16 a, I32x16 b) {
+    return ~(a < b);
+}
 
 // The smaller (larger) of two floats; the second where either is NaN: x86's rule, kept on every instruction
 // set.

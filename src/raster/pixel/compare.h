@@ -1,4 +1,5 @@
-// The eight comparisons of 16 floats: of alpha (GL 1.5 §4.1.4) and of depth textures (§3.8.14).
+// The eight comparisons of 16 values: floats of alpha (GL 1.5 §4.1.4) and of depth textures (§3.8.14), integers
+// of stencil (§4.1.5) and of depth (§4.1.6).
 #pragma once
 
 #include "raster/state.h"
@@ -8,7 +9,8 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-TERRAZZO_INLINE Mask16 compare(Compare func, F32x16 a, F32x16 b) {
+template <class Lanes>
+TERRAZZO_INLINE Mask16 compare(Compare func, Lanes a, Lanes b) {
     switch (func) {
         case Compare::kNever:
             return mask_from_bits(0);

@@ -3,31 +3,10 @@
 #pragma once
 
 #include "raster/hidden.h"
+#include "raster/pixel/compare.h"
 #include "raster/pixel/interpolate.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
-
-TERRAZZO_INLINE Mask16 compare(Compare func, I32x16 a, I32x16 b) {
-    switch (func) {
-        case Compare::kNever:
-            return mask_from_bits(0);
-        case Compare::kLess:
-            return a < b;
-        case Compare::kEqual:
-            return a == b;
-        case Compare::kLessEqual:
-            return ~(a > b);
-        case Compare::kGreater:
-            return a > b;
-        case Compare::kNotEqual:
-            return ~(a == b);
-        case Compare::kGreaterEqual:
-            return ~(a < b);
-        case Compare::kAlways:
-            break;
-    }
-    return mask_from_bits(0xffff);
-}
 
 // z in [0, 1] to the buffer's integers, rounded to nearest.
 TERRAZZO_INLINE I32x16 quantize_depth(F32x16 z, int depth_bits) {
