@@ -17,7 +17,7 @@ class StatePlayer {
     // Calls one command; its text as in C.
     std::string play();
 
-    // For the commands' definitions (state_player.cpp).
+    // For the commands (commands.h).
     struct Enumerant {
         GLenum value;
         const char* name;

@@ -10,8 +10,8 @@
 
 #include "kit/child.h"
 #include "kit/offscreen.h"
+#include "player.h"
 #include "state_dump.h"
-#include "state_player.h"
 
 namespace terrazzo::test {
 namespace {
