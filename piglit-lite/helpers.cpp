@@ -167,6 +167,27 @@ void textured_rectangle(const Gl& gl, float x0, float y0, float x1, float y1, fl
     gl.End();
 }
 
+void receding_rectangle(const Gl& gl, const Receding& at, float tiles_s, float tiles_t) {
+    gl.Begin(GL_QUADS);
+    gl.TexCoord2f(0, 0);
+    gl.Vertex3f(-at.half_width, at.y_near, at.z_near);
+    gl.TexCoord2f(tiles_s, 0);
+    gl.Vertex3f(at.half_width, at.y_near, at.z_near);
+    gl.TexCoord2f(tiles_s, tiles_t);
+    gl.Vertex3f(at.half_width, at.y_far, at.z_far);
+    gl.TexCoord2f(0, tiles_t);
+    gl.Vertex3f(-at.half_width, at.y_far, at.z_far);
+    gl.End();
+}
+
+void sloping_triangle(const Gl& gl) {
+    gl.Begin(GL_TRIANGLES);
+    gl.Vertex3f(0, 0, -0.9F);
+    gl.Vertex3f(256, 0, 0.9F);
+    gl.Vertex3f(0, 256, 0.2F);
+    gl.End();
+}
+
 void striped_backdrop(const Gl& gl, int bands) {
     const float width = static_cast<float>(kSize) / static_cast<float>(bands);
     for (int band = 0; band < bands; ++band) {
@@ -175,6 +196,21 @@ void striped_backdrop(const Gl& gl, int bands) {
             hue(x / static_cast<float>(bands), 0.8F, 0.25F + 0.75F * x / static_cast<float>(bands));
         gl.Color4fv(colour.data());
         rectangle(gl, x * width, 0, (x + 1) * width, kSize);
+    }
+}
+
+int component_count(GLenum format) {
+    switch (format) {
+        case GL_RGB:
+        case GL_BGR:
+            return 3;
+        case GL_RGBA:
+        case GL_BGRA:
+            return 4;
+        case GL_LUMINANCE_ALPHA:
+            return 2;
+        default:
+            return 1;
     }
 }
 

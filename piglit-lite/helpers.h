@@ -53,9 +53,25 @@ void draw_solid(const Gl& gl, const Solid& solid, unsigned parts);
 void rectangle(const Gl& gl, float x0, float y0, float x1, float y1, float z = 0);
 void textured_rectangle(const Gl& gl, float x0, float y0, float x1, float y1, float tiles_s = 1,
                         float tiles_t = 1);
+// The same running away from the camera: from y_near, z_near to y_far, z_far, `half_width` to both sides of
+// the middle. All levels of detail in one picture.
+struct Receding {
+    float half_width, y_near, z_near, y_far, z_far;
+};
+void receding_rectangle(const Gl& gl, const Receding& at, float tiles_s, float tiles_t);
+// Half the window, in depths from one end of the range to the other.
+void sloping_triangle(const Gl& gl);
 // Wide bands in changing hues over the whole window, to be seen through what is drawn next.
 void striped_backdrop(const Gl& gl, int bands = 8);
 
+inline constexpr GLenum kMinFilters[] = {GL_NEAREST,
+                                         GL_LINEAR,
+                                         GL_NEAREST_MIPMAP_NEAREST,
+                                         GL_LINEAR_MIPMAP_NEAREST,
+                                         GL_NEAREST_MIPMAP_LINEAR,
+                                         GL_LINEAR_MIPMAP_LINEAR};
+// How many values a pixel of a format has.
+int component_count(GLenum format);
 // RGBA8 texels: a shaded checker with a coloured disc, so that flips and shifts show.
 std::vector<std::uint8_t> painted_texels(int width, int height, std::uint32_t seed = 1);
 GLuint painted_texture(const Gl& gl, int width, int height, GLenum min_filter, GLenum mag_filter,

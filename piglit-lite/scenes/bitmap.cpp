@@ -121,11 +121,7 @@ SCENE(bitmap_fragment_operations, "depth, stencil and alpha test, blending, logi
     const std::vector<GLubyte> bits = random_bits(random, 40 * 8);
     gl.Enable(GL_DEPTH_TEST);
     gl.Color3f(0, 0, 0.3F);
-    gl.Begin(GL_TRIANGLES);
-    gl.Vertex3f(0, 0, -0.9F);
-    gl.Vertex3f(256, 0, 0.9F);
-    gl.Vertex3f(0, 256, 0.2F);
-    gl.End();
+    sloping_triangle(gl);
     gl.ClearStencil(3);
     gl.Clear(GL_STENCIL_BUFFER_BIT);
     for_cells(4, 4, [&](int cell, float x, float y, float, float) {

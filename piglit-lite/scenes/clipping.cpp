@@ -35,16 +35,7 @@ SCENE(clip_through_the_eye,
         gl.PushMatrix();
         gl.Rotatef(static_cast<float>(wall) * 90, 0, 0, 1);
         gl.Color4fv(hue(static_cast<float>(wall) / 4).data());
-        gl.Begin(GL_QUADS);
-        gl.TexCoord2f(0, 0);
-        gl.Vertex3f(-1, -1, 5);
-        gl.TexCoord2f(2, 0);
-        gl.Vertex3f(1, -1, 5);
-        gl.TexCoord2f(2, 25);
-        gl.Vertex3f(1, -1, -45);
-        gl.TexCoord2f(0, 25);
-        gl.Vertex3f(-1, -1, -45);
-        gl.End();
+        receding_rectangle(gl, {1, -1, 5, -1, -45}, 2, 25);
         gl.PopMatrix();
     }
 }

@@ -34,20 +34,6 @@ constexpr Type kTypes[] = {
 constexpr GLenum kFormats[] = {GL_RED, GL_GREEN, GL_BLUE,      GL_ALPHA,           GL_RGB,
                                GL_BGR, GL_RGBA,  GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_BGRA};
 
-int components_of(GLenum format) {
-    switch (format) {
-        case GL_RGB:
-        case GL_BGR:
-            return 3;
-        case GL_RGBA:
-        case GL_BGRA:
-            return 4;
-        case GL_LUMINANCE_ALPHA:
-            return 2;
-    }
-    return 1;
-}
-
 // Random memory; floats among it are in [0, 1].
 std::vector<GLubyte> random_memory(Random& random, std::size_t bytes, GLenum type) {
     std::vector<GLubyte> memory(bytes);
@@ -72,7 +58,7 @@ SCENE(draw_pixels_formats, "every format in every type") {
     int cell = 0;
     for (const Type& type : kTypes) {
         for (const GLenum format : kFormats) {
-            if (type.components != 0 && type.components != components_of(format)) continue;
+            if (type.components != 0 && type.components != component_count(format)) continue;
             if (type.components == 3 && format == GL_BGR) continue;
             gl.RasterPos2i(2 + cell % 12 * 21, 2 + cell / 12 * 28);
             gl.DrawPixels(19, 26, format, type.type,
@@ -185,11 +171,7 @@ SCENE(draw_pixels_fragment_operations, "alpha and depth test, blending, logic op
     striped_backdrop(gl);
     const std::vector<std::uint8_t> picture = painted_texels(60, 60);
     gl.Enable(GL_DEPTH_TEST);
-    gl.Begin(GL_TRIANGLES);
-    gl.Vertex3f(0, 0, -0.9F);
-    gl.Vertex3f(256, 0, 0.9F);
-    gl.Vertex3f(0, 256, 0.2F);
-    gl.End();
+    sloping_triangle(gl);
     gl.ClearStencil(1);
     gl.Clear(GL_STENCIL_BUFFER_BIT);
     std::vector<std::uint8_t> glass = picture;
@@ -224,11 +206,7 @@ SCENE(draw_pixels_depth, "depths of several types: tested, and in the colour of 
     pixel_projection(gl);
     gl.Enable(GL_DEPTH_TEST);
     gl.Color3f(0.1F, 0.2F, 0.6F);
-    gl.Begin(GL_TRIANGLES);
-    gl.Vertex3f(0, 0, -0.9F);
-    gl.Vertex3f(256, 0, 0.9F);
-    gl.Vertex3f(0, 256, 0.2F);
-    gl.End();
+    sloping_triangle(gl);
     constexpr GLenum kDepthTypes[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT, GL_FLOAT};
     Random random(8);
     for (int i = 0; i < 12; ++i) {

@@ -178,11 +178,6 @@ SCENE(texture_lod_bias, "biases of a unit and of a texture, with every mipmap fi
         const GLfloat biases[4][2] = {{1.5F, 0}, {0, -1.25F}, {0.7F, 0.6F}, {-20, 19.5F}};
         gl.TexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, biases[cell / 4][0]);
         gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, biases[cell / 4][1]);
-        gl.Begin(GL_QUADS);
-        gl.TexCoord2f(0, 0), gl.Vertex3f(-2, -0.8F, -0.5F);
-        gl.TexCoord2f(4, 0), gl.Vertex3f(2, -0.8F, -0.5F);
-        gl.TexCoord2f(4, 8), gl.Vertex3f(2, 0.8F, -8);
-        gl.TexCoord2f(0, 8), gl.Vertex3f(-2, 0.8F, -8);
-        gl.End();
+        receding_rectangle(gl, {2, -0.8F, -0.5F, 0.8F, -8}, 4, 8);
     });
 }

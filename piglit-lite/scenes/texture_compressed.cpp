@@ -78,12 +78,7 @@ SCENE(s3tc_mipmaps, "compressed levels on a floor, and the same in a display lis
             upload(gl, GL_TEXTURE_2D, level, kFormats[cell], 32 >> level, 32 >> level,
                    static_cast<std::uint32_t>(level + cell));
         if (cell == 3) gl.EndList(), gl.CallList(1);
-        gl.Begin(GL_QUADS);
-        gl.TexCoord2f(0, 0), gl.Vertex3f(-2, -0.8F, -0.5F);
-        gl.TexCoord2f(4, 0), gl.Vertex3f(2, -0.8F, -0.5F);
-        gl.TexCoord2f(4, 8), gl.Vertex3f(2, 0.8F, -8);
-        gl.TexCoord2f(0, 8), gl.Vertex3f(-2, 0.8F, -8);
-        gl.End();
+        receding_rectangle(gl, {2, -0.8F, -0.5F, 0.8F, -8}, 4, 8);
     });
 }
 

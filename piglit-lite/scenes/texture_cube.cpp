@@ -52,13 +52,6 @@ void map_of_directions(const Gl& gl, float x, float y, float w, float h) {
     gl.End();
 }
 
-const GLenum kMinFilters[] = {GL_NEAREST,
-                              GL_LINEAR,
-                              GL_NEAREST_MIPMAP_NEAREST,
-                              GL_LINEAR_MIPMAP_NEAREST,
-                              GL_NEAREST_MIPMAP_LINEAR,
-                              GL_LINEAR_MIPMAP_LINEAR};
-
 }  // namespace
 
 SCENE(cube_filters, "all directions of a cube map through every pair of filters") {

@@ -25,24 +25,8 @@ void filters(const Gl& gl, GLenum min, GLenum mag) {
 
 // A floor running to the horizon: all levels of detail in one picture.
 void floor_plane(const Gl& gl, float tiles) {
-    gl.Begin(GL_QUADS);
-    gl.TexCoord2f(0, 0);
-    gl.Vertex3f(-4, -1, 0);
-    gl.TexCoord2f(tiles, 0);
-    gl.Vertex3f(4, -1, 0);
-    gl.TexCoord2f(tiles, 4 * tiles);
-    gl.Vertex3f(4, -1, -32);
-    gl.TexCoord2f(0, 4 * tiles);
-    gl.Vertex3f(-4, -1, -32);
-    gl.End();
+    receding_rectangle(gl, {4, -1, 0, -1, -32}, tiles, 4 * tiles);
 }
-
-const GLenum kMinFilters[] = {GL_NEAREST,
-                              GL_LINEAR,
-                              GL_NEAREST_MIPMAP_NEAREST,
-                              GL_LINEAR_MIPMAP_NEAREST,
-                              GL_NEAREST_MIPMAP_LINEAR,
-                              GL_LINEAR_MIPMAP_LINEAR};
 
 }  // namespace
 

@@ -29,21 +29,6 @@ std::vector<T> ramp(int components, double low, double high) {
     return values;
 }
 
-int component_count(GLenum format) {
-    switch (format) {
-        case GL_RGB:
-        case GL_BGR:
-            return 3;
-        case GL_RGBA:
-        case GL_BGRA:
-            return 4;
-        case GL_LUMINANCE_ALPHA:
-            return 2;
-        default:
-            return 1;
-    }
-}
-
 std::vector<std::uint8_t> typed_ramp(GLenum format, GLenum type) {
     const int n = component_count(format);
     const auto bytes = [](const auto& values) {
