@@ -10,6 +10,7 @@
 #include "gl/limits.h"
 #include "gl/share.h"
 #include "gl/translate.h"
+#include "pipeline/statistics.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -479,10 +480,10 @@ unsigned units_with_r(const std::vector<raster::TextureStage>& stages) {
     return units;
 }
 
-// For the occlusion query that is going on.
+// For statistics and for the occlusion query that is going on.
 void count_samples(const Context& ctx, pipeline::FragmentBlock& block) {
+    block.fill.key.counts_samples = ctx.queries.active || pipeline::statistics.enabled;
     if (!ctx.queries.active) return;
-    block.fill.key.counts_samples = true;
     block.fill.samples_passed = &ctx.queries.active->counter->samples;
     block.images.push_back(ctx.queries.active->counter);
 }

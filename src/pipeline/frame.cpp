@@ -130,6 +130,7 @@ void Frame::draw_bin(int index) const {
             }
         }
     }
+    if (bin.samples_passed) m_samples_passed.fetch_add(bin.samples_passed, std::memory_order_relaxed);
 }
 
 void Frame::draw_bins() const {
@@ -155,6 +156,7 @@ void Frame::draw_other_color() {
     draw_bins();
     m_target->exchange_color();
     for (const auto& [counter, count] : counters) *counter = count;
+    m_samples_passed = 0;
     m_target->restore_depths(before);
 }
 
@@ -181,8 +183,12 @@ void Frame::reset() {
     m_kept_bytes = 0;
     m_sample_counters.clear();
     m_arena.reset();
-    if (statistics.enabled) statistics.primitives += m_primitives;
+    if (statistics.enabled) {
+        statistics.primitives += m_primitives;
+        statistics.pixels += m_samples_passed;
+    }
     m_primitives = 0;
+    m_samples_passed = 0;
     m_commands = 0;
 }
 

@@ -6,6 +6,7 @@
 // the order of its list.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -68,7 +69,7 @@ class Frame {
     // Keeps a fragment state alive until the frame has been drawn.
     void keep(std::shared_ptr<const FragmentBlock> block) {
         if (!m_kept.empty() && m_kept.back() == block) return;
-        if (block->fill.key.counts_samples) m_sample_counters.push_back(block->fill.samples_passed);
+        if (block->fill.samples_passed) m_sample_counters.push_back(block->fill.samples_passed);
         const size_t bytes = block->size_in_bytes();
         keep(std::move(block), bytes);
     }
@@ -83,8 +84,8 @@ class Frame {
     // A clear of a rectangle of pixels through masks.
     void add(const raster::BinClear& clear);
 
-    // Everything drawn from now on goes to both colour buffers of the target, of which the depth test sees one history.
-    // What was queued before must have been drawn.
+    // Everything drawn from now on goes to both colour buffers of the target, of which the depth test sees
+    // one history. What was queued before must have been drawn.
     void draw_to_both_colors(bool both) { m_both = both; }
     bool draws_to_both_colors() const { return m_both; }
 
@@ -122,7 +123,9 @@ class Frame {
     size_t m_commands = 0;
     size_t m_primitives = 0;
     bool m_both = false;
-    std::vector<uint64_t*> m_sample_counters;  // of primitives that count samples
+    std::vector<uint64_t*> m_sample_counters;  // of queued occlusion queries
+    mutable std::atomic<uint64_t> m_samples_passed =
+        0;  // of all primitives that count samples, in drawn bins
 };
 
 }  // namespace terrazzo::pipeline

@@ -1,6 +1,7 @@
 // Counts and times of a process's drawing, for people who want to know where a frame's time goes.
 //
-// Off, as it is unless a front end turns it on, it costs one test a draw and one a frame.
+// Off, as it is unless a front end turns it on before anything is drawn, it costs one test a draw, a bin and
+// a fragment state. On, fragments go through kernels that count them (FragmentKey::counts_samples).
 #pragma once
 
 #include <atomic>
@@ -12,6 +13,8 @@ namespace terrazzo::pipeline {
 struct Statistics {
     std::atomic<bool> enabled = false;
     std::atomic<std::uint64_t> primitives = 0;  // in frames; one that crosses bins counts once
+    std::atomic<std::uint64_t> pixels =
+        0;  // of primitives, that passed all tests: overdraw counts, clears do not
     std::atomic<std::uint64_t> vertex_nanoseconds =
         0;  // from vertices to primitives in bins, with frames drawn early
     std::atomic<std::uint64_t> pixel_nanoseconds = 0;  // frames

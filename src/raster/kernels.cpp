@@ -45,14 +45,21 @@ constexpr FragmentKey hot_key(bool depth, Compare func, bool perspective, bool i
     return key;
 }
 
+constexpr FragmentKey counting(FragmentKey key) {
+    key.counts_samples = true;
+    return key;
+}
+
+// Of each two kernels: who counts samples wants to know how long drawing takes without counting, or draws
+// large parts of a scene that way.
 struct Specialised {
     FragmentKey key;
-    TileKernel kernel;
+    TileKernel kernel, counting_kernel;
 };
 
 template <FragmentKey kKey>
 constexpr Specialised specialise() {
-    return {kKey, specialised_kernel<kKey>};
+    return {kKey, specialised_kernel<kKey>, specialised_kernel<counting(kKey)>};
 }
 
 // One colour a primitive, each another: glShadeModel(GL_FLAT).
@@ -74,9 +81,6 @@ constexpr auto kBilinear = TextureKind::kModulateBilinearRgba8;
 // scalar build has the general kernel alone: it is there to be compared with, and one lane at a time is slow
 // in any case.
 constexpr Specialised kSpecialised[] = {
-#if HWY_TARGET == HWY_SCALAR
-    {FragmentKey{}, general_kernel},
-#else
     specialise<hot_key(false, Compare::kLess, false, true, TextureKind::kNone)>(),
     specialise<hot_key(false, Compare::kLess, false, false, TextureKind::kNone)>(),
     specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
@@ -106,15 +110,15 @@ constexpr Specialised kSpecialised[] = {
     specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear, BlendKind::kAlpha)>(),
     specialise<image_key(PixelImage::kVerbatim, BlendKind::kNone)>(),
     specialise<image_key(PixelImage::kRgba8, BlendKind::kAlpha)>(),
-#endif
 };
 
 TileKernel select_kernel(const FragmentKey& key) {
     if (key.image == PixelImage::kStencil) return stencil_image_kernel;
     FragmentKey wanted = key;
     if (!key.depth_test) wanted.depth_func = Compare::kLess, wanted.depth_write = false;
+    wanted.counts_samples = false;
     for (const Specialised& s : kSpecialised)
-        if (s.key == wanted) return s.kernel;
+        if (s.key == wanted) return key.counts_samples ? s.counting_kernel : s.kernel;
     return general_kernel;
 }
 #else

@@ -210,7 +210,7 @@ struct FragmentKey {
     bool interpolated_color = true;  // otherwise FragmentState::constant_color
     bool flat_color = false;         // colours are their planes' origins as they stand
     bool separate_specular = false;  // a secondary colour is added after texturing
-    bool counts_samples = false;     // FragmentState::samples_passed
+    bool counts_samples = false;     // Bin::samples_passed, FragmentState::samples_passed
     TextureKind texture = TextureKind::kNone;
     PixelImage image = PixelImage::kNone;
 
@@ -282,7 +282,8 @@ struct FragmentState {
         nullptr;                            // 32 rows from the bottom, bit 31 leftmost; lives in the frame
     int32_t target_height_for_stipple = 0;  // of a target whose row 0 is the top; 0 where row 0 is the bottom
 
-    // Where the fragments that pass all tests are counted, by several threads; outlives the state.
+    // Where an occlusion query counts the fragments that pass all tests, by several threads; outlives the
+    // state. Null where there is none.
     uint64_t* samples_passed = nullptr;
 
     // What an error of a varying's plane does to the colour, as a share of its range.

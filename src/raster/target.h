@@ -98,6 +98,7 @@ struct Bin {
     float* farthest;  // one bound a tile, as BinState's; whoever writes depths keeps them true
     int x, y;         // of its first pixel
     BinState* state;
+    uint64_t samples_passed = 0;  // while FragmentKey::counts_samples says so
 };
 
 class Target;

@@ -349,6 +349,26 @@ TEST_P(PixelKernels, DrawWhatScalarDraws) {
     EXPECT_GT(touched, 600);
 }
 
+// Counting changes nothing that is drawn, and every instruction set counts the same.
+TEST_P(PixelKernels, CountWhatPasses) {
+    std::uint64_t passed = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        Scene scene(seed);
+        Planes expected = draw(scene, *GetParam());
+        scene.state.key.counts_samples = true;
+        Planes found(Random(7), scene.state), scalar(Random(7), scene.state);
+        BoundedBin bin(found), scalar_bin(scalar);
+        draw_into(bin.bin, scene, *GetParam());
+        draw_into(scalar_bin.bin, scene, *compiled_kernels().back());
+        ASSERT_TRUE(equal(expected.color, found.color)) << "colour, seed " << seed;
+        ASSERT_TRUE(equal(expected.depth, found.depth)) << "depth, seed " << seed;
+        ASSERT_TRUE(equal(expected.stencil, found.stencil)) << "stencil, seed " << seed;
+        ASSERT_EQ(bin.bin.samples_passed, scalar_bin.bin.samples_passed) << "seed " << seed;
+        passed += bin.bin.samples_passed;
+    }
+    EXPECT_GT(passed, 20000u);
+}
+
 // Many primitives one over the other, once with what the bin remembers of its depths and once without: what
 // is skipped because it is hidden must not be missed.
 TEST_P(PixelKernels, SkipOnlyWhatIsHidden) {

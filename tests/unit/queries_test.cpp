@@ -7,6 +7,7 @@
 #include "gl/generated/commands.h"
 #include "gl/vertex_inline.h"
 #include "gl_fixture.h"
+#include "pipeline/statistics.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -118,6 +119,22 @@ TEST_F(QueriesTest, AQueryThatBeginsAnewCountsFromZero) {
     EXPECT_EQ(samples, static_cast<GLint>(kAll));
     get_query_objectiv(ctx(), 1, GL_QUERY_RESULT_AVAILABLE, &samples);
     EXPECT_EQ(samples, GL_TRUE);
+}
+
+// What `terrazzo run --stats` prints.
+TEST_F(QueriesTest, StatisticsCountEveryPixelOnceWhoeverElseCounts) {
+    pipeline::statistics.enabled = true;
+    pipeline::statistics.pixels = 0;
+    fill(0.5f);
+    begin_query(ctx(), GL_SAMPLES_PASSED, 1);
+    fill(0);
+    fill(0.25f);
+    end_query(ctx(), GL_SAMPLES_PASSED);
+    fill(-0.5f);
+    finish(ctx());
+    pipeline::statistics.enabled = false;
+    EXPECT_EQ(pipeline::statistics.pixels, 3 * kAll);
+    EXPECT_EQ(result(1), kAll);
 }
 
 }  // namespace

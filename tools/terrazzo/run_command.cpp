@@ -141,6 +141,7 @@ class Listener {
         fmt::print(stderr, "terrazzo: {} frames in {:.2f} s: {:.1f} a second, {}x{} at last\n", m_frames,
                    seconds, static_cast<double>(m_frames) / seconds, m_sum.width, m_sum.height);
         fmt::print(stderr, "  a frame  {:10.0f} primitives\n", per_frame(m_sum.primitives));
+        fmt::print(stderr, "           {:10.0f} pixels\n", per_frame(m_sum.pixels));
         fmt::print(stderr, "           {:10.3f} ms vertices to primitives\n",
                    milliseconds(m_sum.vertex_nanoseconds));
         fmt::print(stderr, "           {:10.3f} ms pixels\n", milliseconds(m_sum.pixel_nanoseconds));
@@ -163,14 +164,15 @@ class Listener {
         m_sum.width = frame.width;
         m_sum.height = frame.height;
         m_sum.primitives += frame.primitives;
+        m_sum.pixels += frame.pixels;
         m_sum.nanoseconds += frame.nanoseconds;
         m_sum.vertex_nanoseconds += frame.vertex_nanoseconds;
         m_sum.pixel_nanoseconds += frame.pixel_nanoseconds;
         m_sum.show_nanoseconds += frame.show_nanoseconds;
         if (!pixels.empty() && !m_options.record.empty()) {
             flip(pixels, frame.width * std::size_t{4});
-            const auto picture = report::picture_of(pixels, static_cast<int>(frame.width),
-                                                    static_cast<int>(frame.height), 4);
+            const auto picture =
+                report::picture_of(pixels, static_cast<int>(frame.width), static_cast<int>(frame.height), 4);
             report::write_picture(picture,
                                   (fs::path(m_options.record) / fmt::format("{:06}.png", m_frames)).string());
         }
@@ -209,13 +211,17 @@ void run(const Options& options) {
 
 void add_run_command(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("run", "Run a GLX, EGL or OSMesa program on Terrazzo: terrazzo run [OPTIONS] PROGRAM [ARGUMENTS...]");
+    CLI::App* command = app.add_subcommand(
+        "run", "Run a GLX, EGL or OSMesa program on Terrazzo: terrazzo run [OPTIONS] PROGRAM [ARGUMENTS...]");
     command
         ->add_option("-t,--threads", options->threads, "Threads that draw, the program's included; 0: as 1")
         ->check(CLI::Range(0, 64));
     command->add_option("-r,--record", options->record, "Write every frame to this folder, a PNG each");
     command->add_flag("-s,--stats", options->stats,
-                      "When the program has ended, say where its frames' time went");
+                      "When the program has ended, say what its frames were: primitives (points, lines, "
+                      "triangles and rectangles "
+                      "after clipping and culling), pixels (their fragments that passed all tests; overdraw "
+                      "counts, clears do not), and where the time went");
     command->prefix_command();
     command->callback([options, command] {
         options->command = command->remaining();

@@ -43,6 +43,7 @@ class Watcher {
         frame.process = static_cast<std::uint32_t>(getpid());
         frame.nanoseconds = static_cast<std::uint64_t>((now - m_last).count());
         frame.primitives = statistics.primitives.exchange(0);
+        frame.pixels = statistics.pixels.exchange(0);
         frame.vertex_nanoseconds = statistics.vertex_nanoseconds.exchange(0);
         frame.pixel_nanoseconds = statistics.pixel_nanoseconds.exchange(0);
         if (!write_all(&frame, sizeof frame) || !write_all(rows, frame.picture_bytes)) close();

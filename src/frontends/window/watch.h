@@ -21,6 +21,7 @@ struct WatchedFrame {
     std::uint64_t picture_bytes = 0;
     // Since the frame before.
     std::uint64_t primitives = 0;   // set up for drawing
+    std::uint64_t pixels = 0;       // their fragments that passed all tests
     std::uint64_t nanoseconds = 0;  // altogether
     std::uint64_t vertex_nanoseconds = 0;
     std::uint64_t pixel_nanoseconds = 0;  // drawing bins; with the copy to the window

@@ -59,6 +59,7 @@ ServerDrawable::ServerDrawable(const Connection& connection, xcb_drawable_t id, 
     const std::uint32_t no_exposures = 0;
     xcb_create_gc(connection.xcb, m_gc, id, XCB_GC_GRAPHICS_EXPOSURES, &no_exposures);
     resize(geometry.width, geometry.height);
+    window::is_watched();  // a watcher is told of everything that is drawn here, so find it before
 }
 
 ServerDrawable::~ServerDrawable() {

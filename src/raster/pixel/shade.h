@@ -149,7 +149,7 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
 
 template <class Key>
 TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Primitive& primitive,
-                                 const Bin& shared_bin, const TileList& list) {
+                                 Bin& shared_bin, const TileList& list) {
     const FragmentKey& k = key.value;
     const Bin bin = shared_bin;
     const SharedByTiles shared(key, state);
@@ -195,7 +195,9 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
         }
         write_color(key, state, color, mask, bin, tile);
     }
-    if (k.counts_samples) __atomic_fetch_add(state.samples_passed, passed, __ATOMIC_RELAXED);
+    if (!k.counts_samples) return;
+    shared_bin.samples_passed += passed;
+    if (state.samples_passed) __atomic_fetch_add(state.samples_passed, passed, __ATOMIC_RELAXED);
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE
