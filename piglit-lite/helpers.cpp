@@ -1,6 +1,7 @@
 // What many scenes draw with: projections, solids, patterns, colours.
 #include "helpers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -244,6 +245,18 @@ GLuint painted_texture(const Gl& gl, int width, int height, GLenum min_filter, G
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                   painted_texels(width, height, seed).data());
     return name;
+}
+
+void coloured_levels(const Gl& gl, int width, int height, GLint format) {
+    for (int level = 0;; ++level) {
+        const int w = std::max(1, width >> level), h = std::max(1, height >> level);
+        auto texels = painted_texels(w, h);
+        const Colour tint = hue(static_cast<float>(level) / 7);
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            texels[i] = static_cast<std::uint8_t>(static_cast<float>(texels[i] / 2 + 100) * tint[i % 4]);
+        gl.TexImage2D(GL_TEXTURE_2D, level, format, w, h, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        if (w == 1 && h == 1) return;
+    }
 }
 
 void for_cells(int columns, int rows, const std::function<void(int, float, float, float, float)>& draw) {

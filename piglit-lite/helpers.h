@@ -77,6 +77,10 @@ std::vector<std::uint8_t> painted_texels(int width, int height, std::uint32_t se
 GLuint painted_texture(const Gl& gl, int width, int height, GLenum min_filter, GLenum mag_filter,
                        std::uint32_t seed = 1);
 
+// All levels of the 2D texture that is bound, each in its own hue, so that the chosen level is the colour
+// seen.
+void coloured_levels(const Gl& gl, int width, int height, GLint format = GL_RGBA);
+
 // Calls draw(cell, x, y, width, height) for each cell of a grid over the window, in window coordinates.
 void for_cells(int columns, int rows, const std::function<void(int, float, float, float, float)>& draw);
 // The same with a viewport and scissor set to the cell and restored afterwards.

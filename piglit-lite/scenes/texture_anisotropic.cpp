@@ -9,19 +9,6 @@ void set(const Gl& gl, GLenum target, GLenum parameter, GLenum value) {
     gl.TexParameteri(target, parameter, static_cast<GLint>(value));
 }
 
-// Every level in its own hue, so that the chosen level is the colour seen.
-void coloured_levels(const Gl& gl, int width, int height, GLint format = GL_RGBA) {
-    for (int level = 0;; ++level) {
-        const int w = std::max(1, width >> level), h = std::max(1, height >> level);
-        auto texels = painted_texels(w, h);
-        const Colour tint = hue(static_cast<float>(level) / 7);
-        for (std::size_t i = 0; i < texels.size(); ++i)
-            texels[i] = static_cast<std::uint8_t>(static_cast<float>(texels[i] / 2 + 100) * tint[i % 4]);
-        gl.TexImage2D(GL_TEXTURE_2D, level, format, w, h, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-        if (w == 1 && h == 1) return;
-    }
-}
-
 void anisotropy(const Gl& gl, float degree, GLenum min = GL_LINEAR_MIPMAP_LINEAR, GLenum mag = GL_LINEAR,
                 GLenum target = GL_TEXTURE_2D) {
     gl.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, degree);
@@ -33,12 +20,7 @@ void anisotropy(const Gl& gl, float degree, GLenum min = GL_LINEAR_MIPMAP_LINEAR
 void floor_plane(const Gl& gl, float tiles, float turn = 0) {
     camera(gl, 60, 1, 0.3F, 60);
     gl.Rotatef(turn, 0, 1, 0);
-    gl.Begin(GL_QUADS);
-    gl.TexCoord2f(0, 0), gl.Vertex3f(-6, -1, 0.5F);
-    gl.TexCoord2f(tiles, 0), gl.Vertex3f(6, -1, 0.5F);
-    gl.TexCoord2f(tiles, 4 * tiles), gl.Vertex3f(6, -1, -32);
-    gl.TexCoord2f(0, 4 * tiles), gl.Vertex3f(-6, -1, -32);
-    gl.End();
+    receding_rectangle(gl, {6, -1, 0.5F, -1, -32}, tiles, 4 * tiles);
 }
 
 void prepare(const Gl& gl) {
@@ -60,16 +42,10 @@ SCENE(anisotropic_floor, "a floor to the horizon and one turned, degrees from 1 
 
 // Filters without levels that differ from each other have the reference take levels nevertheless.
 SCENE(anisotropic_filters, "pairs of filters, which anisotropy takes the place of") {
-    const GLenum min_filters[] = {GL_NEAREST,
-                                  GL_LINEAR,
-                                  GL_NEAREST_MIPMAP_NEAREST,
-                                  GL_LINEAR_MIPMAP_NEAREST,
-                                  GL_NEAREST_MIPMAP_LINEAR,
-                                  GL_LINEAR_MIPMAP_LINEAR};
     for_viewports(gl, 4, 3, [&](int cell) {
         prepare(gl);
         coloured_levels(gl, 32, 32);
-        const GLenum min = min_filters[cell % 6], mag = cell < 6 ? GL_NEAREST : GL_LINEAR;
+        const GLenum min = kMinFilters[cell % 6], mag = cell < 6 ? GL_NEAREST : GL_LINEAR;
         anisotropy(gl, 8, min, min == GL_NEAREST || min == GL_LINEAR ? min : mag);
         floor_plane(gl, 3, static_cast<float>(cell) * 9 - 30);
     });

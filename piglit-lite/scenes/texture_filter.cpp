@@ -5,19 +5,6 @@ using namespace terrazzo::piglit;
 
 namespace {
 
-// Every level in its own hue, so that the chosen level is the colour seen.
-void coloured_levels(const Gl& gl, int width, int height) {
-    for (int level = 0;; ++level) {
-        const int w = std::max(1, width >> level), h = std::max(1, height >> level);
-        auto texels = painted_texels(w, h);
-        const Colour tint = hue(static_cast<float>(level) / 7);
-        for (std::size_t i = 0; i < texels.size(); ++i)
-            texels[i] = static_cast<std::uint8_t>(static_cast<float>(texels[i] / 2 + 100) * tint[i % 4]);
-        gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, w, h, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-        if (w == 1 && h == 1) return;
-    }
-}
-
 void filters(const Gl& gl, GLenum min, GLenum mag) {
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(min));
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(mag));
