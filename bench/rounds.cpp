@@ -2,6 +2,7 @@
 #include "rounds.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kit/child.h"
 
@@ -57,6 +58,12 @@ double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
     return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+double geometric_mean(const std::vector<double>& values) {
+    double logarithms = 0;
+    for (const double value : values) logarithms += std::log(value);
+    return values.empty() ? 0 : std::exp(logarithms / static_cast<double>(values.size()));
 }
 
 std::vector<std::pair<std::string, std::string>> thread_environment(int threads) {

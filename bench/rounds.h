@@ -45,6 +45,8 @@ struct SceneResult {
 };
 
 double median(std::vector<double> values);
+// 0 of no values.
+double geometric_mean(const std::vector<double>& values);
 
 // `progress` gets a line of text before each measurement.
 std::vector<SceneResult> run(const Plan& plan, const std::function<void(const std::string&)>& progress);

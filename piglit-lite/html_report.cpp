@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pixels.h"
+#include "report/figures.h"
 #include "report/page.h"
 #include "report/pictures.h"
 #include "reports.h"
@@ -12,14 +13,8 @@ namespace terrazzo::piglit {
 namespace {
 
 using report::escaped;
-
-// One step of 255 becomes a visible tone, eight become white.
-constexpr float kMagnification = 32;
-
-std::string figure(const OIIO::ImageBuf& picture, const std::string& caption) {
-    return fmt::format("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
-                       escaped(caption), report::png_data_uri(picture, 512));
-}
+using report::figure;
+using report::kMagnification;
 
 bool flat(const std::vector<std::uint8_t>& plane) {
     return plane.empty() ||

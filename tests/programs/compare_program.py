@@ -8,26 +8,15 @@ on both: that makes its times and its random numbers the same. Exits with 77 whe
 """
 
 import argparse
-import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "windows"))
+import known  # noqa: E402
 import on_display  # noqa: E402
-
-PLACES = ["/usr/games", "/usr/libexec/xscreensaver", "/usr/lib/xscreensaver"]
-
-
-def find(program):
-    path = os.pathsep.join([os.environ.get("PATH", ""), *PLACES])
-    for tool in (program, "apitrace"):
-        if not shutil.which(tool, path=path):
-            on_display.skip(f"{tool} is not installed")
-    return shutil.which(program, path=path)
 
 
 def run_live(options, program, environment):
@@ -56,23 +45,21 @@ def main():
     parser.add_argument("program")
     parser.add_argument("arguments", nargs=argparse.REMAINDER)
     options = parser.parse_args()
-    program = find(options.program)
+    for tool in (options.program, "apitrace"):
+        if not known.find(tool):
+            on_display.skip(f"{tool} is not installed")
+    program = known.find(options.program)
     try:
         import replay
     except ImportError as error:
         on_display.skip(f"{error.name} is not installed")
 
     with on_display.xvfb(size="1024x768") as display, tempfile.TemporaryDirectory() as home:
-        # A home and a language of its own: some programs do not start without.
-        own = {"HOME": home, "LANG": "C.UTF-8", "USER": "user", "SDL_AUDIODRIVER": "dummy", "ALSOFT_DRIVERS": "null"}
-        mesa = on_display.environment(display) | own
-        ours = on_display.environment(display, vendor=options.vendor) | own
+        mesa = on_display.environment(display) | known.belongings(home)
+        ours = on_display.environment(display, vendor=options.vendor) | known.belongings(home)
         good = run_live(options, program, mesa)
         trace = pathlib.Path(home) / "program.trace"
-        api = ["--api", "egl"] if options.egl else []
-        subprocess.run(["timeout", "-s", "TERM", str(options.seconds), "apitrace", "trace", *api, "-o", trace, program,
-                        *options.arguments], env=mesa, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                       timeout=options.seconds + 60)
+        known.record(trace, [program, *options.arguments], options.seconds, mesa, options.egl)
         lines = replay.compare(trace, mesa, ours, 4) if trace.exists() else []
         if not lines:
             print("  nothing to compare: the program shows no frame that can be repeated")

@@ -1,7 +1,6 @@
 // terrazzo bench: frames per second, first frame and memory of scenes over libraries and thread counts.
 #include <fmt/core.h>
 
-#include <cmath>
 #include <fstream>
 #include <memory>
 
@@ -26,7 +25,7 @@ struct Options {
 void print_table(const std::vector<bench::SceneResult>& results, const std::string& baseline) {
     fmt::print("{:<10} {:<12} {:>7} {:>9} {:>8} {:>10} {:>9}\n", "scene", "library", "threads", "FPS",
                "ratio", "first, ms", "peak, MB");
-    std::map<std::pair<std::string, int>, std::pair<double, int>> logarithms;
+    std::map<std::pair<std::string, int>, std::vector<double>> ratios;
     for (const bench::SceneResult& result : results)
         for (const bench::Measurement& m : result.measurements) {
             fmt::print("{:<10} {:<12} {:>7} ", result.scene, m.contender.label, m.contender.threads);
@@ -40,17 +39,15 @@ void print_table(const std::vector<bench::SceneResult>& results, const std::stri
             if (other && other != &m) {
                 const double value = bench::median(other->frame_seconds) / seconds;
                 ratio = fmt::format("{:.2f}x", value);
-                auto& [sum, count] = logarithms[{m.contender.label, m.contender.threads}];
-                sum += std::log(value);
-                ++count;
+                ratios[{m.contender.label, m.contender.threads}].push_back(value);
             }
             fmt::print("{:>9.1f} {:>8} {:>10.1f} {:>9.1f}{}\n", 1 / seconds, ratio,
                        bench::median(m.first_frame_seconds) * 1e3, bench::median(m.peak_resident_kib) / 1024,
                        m.failures.empty() ? "" : "  GL error: " + m.failures.front());
         }
-    for (const auto& [key, sum] : logarithms)
+    for (const auto& [key, values] : ratios)
         fmt::print("geometric mean of {} with {} threads: {:.2f}x {}\n", key.first, key.second,
-                   std::exp(sum.first / sum.second), baseline);
+                   bench::geometric_mean(values), baseline);
 }
 
 void run(Options& options) {

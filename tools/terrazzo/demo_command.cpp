@@ -1,4 +1,5 @@
-// terrazzo demo: T1-T6 and models through both libraries: pictures, differences, speed, first frame, memory.
+// terrazzo demo: T1-T6 and models through both libraries: pictures, differences, speed, first frame, memory;
+// and the report, with what bench/windows/programs.py found out about programs with windows.
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/core.h>
 #include <unistd.h>
@@ -30,6 +31,7 @@ struct Options {
     int rounds = 3;
     double seconds = 0.4;
     bool pictures_only = false;
+    std::string programs;
 };
 
 // Debian's assimp-testmodels; what is not there is left out.
@@ -166,9 +168,10 @@ void run(const Options& options) {
         measure(options, list, ours, theirs, scenes);
         print_figures(scenes);
     }
+    const DemoPrograms programs = options.programs.empty() ? DemoPrograms() : load_programs(options.programs);
     const std::string page = options.output + "/report.html", sheet = options.output + "/contact-sheet.png";
-    report::write_text(page, demo_page(scenes, options.threads));
-    report::write_picture(demo_contact_sheet(scenes), sheet);
+    report::write_text(page, demo_page(scenes, options.threads, programs));
+    report::write_picture(demo_contact_sheet(scenes, programs), sheet);
     fmt::print("\n{}\n{}\n", page, sheet);
     for (const DemoScene& scene : scenes)
         if (!scene.failures.empty()) throw std::runtime_error(scene.name + ": " + scene.failures.front());
@@ -195,6 +198,8 @@ void add_demo_command(CLI::App& app) {
     command->add_option("-s,--seconds", options->seconds, "Time of one measurement")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    command->add_option("--programs", options->programs,
+                        "Folder of bench/windows/programs.py: programs with windows, for the report");
     command->add_flag("--pictures-only", options->pictures_only, "No measurements");
     command->callback([options] { run(*options); });
 }

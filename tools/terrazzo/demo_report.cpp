@@ -3,8 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
+#include "report/figures.h"
 #include "report/page.h"
 #include "report/pictures.h"
 
@@ -12,9 +11,6 @@ namespace terrazzo {
 namespace {
 
 using report::escaped;
-
-constexpr float kMagnification = 32;
-constexpr int kPicture = 512;  // size in the page
 
 const bench::Measurement* find(const DemoScene& scene, const char* label, int threads) {
     for (const bench::Measurement& m : scene.speed.measurements)
@@ -54,16 +50,6 @@ std::string summary_header(const std::vector<int>& threads) {
                       kTheirs);
 }
 
-struct Means {
-    double sum = 0;
-    int count = 0;
-    void add(double ratio) {
-        sum += std::log(ratio);
-        ++count;
-    }
-    std::string text() const { return count ? fmt::format("{:.2f}x", std::exp(sum / count)) : ""; }
-};
-
 std::string start_and_memory_cells(const bench::Measurement* ours, const bench::Measurement* theirs) {
     std::string html;
     const auto pair = [&](auto values, double scale) {
@@ -80,7 +66,7 @@ std::string start_and_memory_cells(const bench::Measurement* ours, const bench::
 
 std::string summary(const std::vector<DemoScene>& scenes, const std::vector<int>& threads) {
     std::string html = "<div class=\"figures\"><table>" + summary_header(threads);
-    std::vector<Means> means(threads.size());
+    std::vector<std::vector<double>> ratios(threads.size());
     for (const DemoScene& scene : scenes) {
         html += fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td>", escaped(scene.name));
         for (std::size_t i = 0; i < threads.size(); ++i) {
@@ -88,26 +74,16 @@ std::string summary(const std::vector<DemoScene>& scenes, const std::vector<int>
             const bench::Measurement* theirs = find(scene, kTheirs, threads[i]);
             const double ratio = ours && theirs ? speed_ratio(*ours, *theirs) : 0;
             html += speed_cells(ours) + speed_cells(theirs) + ratio_cell(ours, theirs, ratio);
-            if (ours && theirs) means[i].add(ratio);
+            if (ours && theirs) ratios[i].push_back(ratio);
         }
         html += start_and_memory_cells(find(scene, kOurs, threads.front()),
                                        find(scene, kTheirs, threads.front()));
         html += "</tr>\n";
     }
     html += "<tr><td>geometric mean</td>";
-    for (const Means& mean : means) html += "<td></td><td></td><td>" + mean.text() + "</td>";
+    for (const std::vector<double>& values : ratios)
+        html += fmt::format("<td></td><td></td><td>{:.2f}x</td>", bench::geometric_mean(values));
     return html + "</tr></table></div>\n";
-}
-
-OIIO::ImageBuf difference(const DemoScene& scene) {
-    return report::magnified_difference(*scene.ours, *scene.theirs, kMagnification);
-}
-
-std::string figure(const OIIO::ImageBuf& picture, const std::string& caption) {
-    return fmt::format(
-        "<figure><img alt=\"{0}\" src=\"{1}\" style=\"width:360px;image-rendering:auto\">"
-        "<figcaption>{0}</figcaption></figure>\n",
-        escaped(caption), report::png_data_uri(picture, kPicture));
 }
 
 std::string card(const DemoScene& scene) {
@@ -115,18 +91,12 @@ std::string card(const DemoScene& scene) {
         fmt::format("<div class=\"card {}\" id=\"{}\"><h3>{}</h3><div class=\"theme\">{}</div>",
                     scene.failures.empty() ? "good" : "bad", escaped(scene.name), escaped(scene.name),
                     escaped(scene.description));
-    html += "<div class=\"pictures\">";
-    if (scene.ours) html += figure(*scene.ours, kOurs);
-    if (scene.theirs) html += figure(*scene.theirs, kTheirs);
-    if (scene.ours && scene.theirs) {
-        html += figure(difference(scene), fmt::format("difference x {:g}", kMagnification));
+    html += report::comparison(scene.ours, kOurs, scene.theirs, kTheirs);
+    if (scene.ours && scene.theirs)
         html += fmt::format(
-            "</div><div class=\"theme\">{} pixels differ by more than one step of 255; the largest "
-            "difference is {:.0f} steps</div>",
+            "<div class=\"theme\">{} pixels differ by more than one step of 255; the largest difference is "
+            "{:.0f} steps</div>",
             scene.pixels_off, scene.largest_difference);
-    } else {
-        html += "</div>";
-    }
     if (!scene.failures.empty()) {
         html += "<ul class=\"problems\">";
         for (const std::string& failure : scene.failures) html += "<li>" + escaped(failure) + "</li>";
@@ -135,31 +105,74 @@ std::string card(const DemoScene& scene) {
     return html + "</div>\n";
 }
 
+void tile(std::string& html, const std::string& figure, const std::string& what) {
+    html += fmt::format("<div><b>{}</b><span>{}</span></div>", figure, what);
+}
+
+// The page in a few figures.
+std::string totals(const std::vector<DemoScene>& scenes, const std::vector<int>& threads,
+                   const DemoPrograms& programs) {
+    std::vector<double> speeds, starts;
+    std::size_t pictures = 0, agreeing = 0;
+    for (const DemoScene& scene : scenes) {
+        if (scene.ours && scene.theirs) ++pictures, agreeing += scene.agrees();
+        const bench::Measurement* const ours = find(scene, kOurs, threads.front());
+        const bench::Measurement* const theirs = find(scene, kTheirs, threads.front());
+        if (!ours || !theirs) continue;
+        speeds.push_back(speed_ratio(*ours, *theirs));
+        starts.push_back(bench::median(theirs->first_frame_seconds) /
+                         bench::median(ours->first_frame_seconds));
+    }
+    for (const DemoProgram& program : programs.programs) ++pictures, agreeing += program.agrees();
+    std::string html = "<div class=\"totals\">";
+    if (const double mean = mean_ratio(programs); mean > 0)
+        tile(html, fmt::format("{:.1f}x", mean), "the frames a second of programs in windows");
+    if (!speeds.empty()) {
+        tile(html, fmt::format("{:.1f}x", bench::geometric_mean(speeds)), "the frames a second of scenes");
+        tile(html, fmt::format("{:.1f}x", bench::geometric_mean(starts)), "sooner with the first frame");
+    }
+    tile(html, fmt::format("{} / {}", agreeing, pictures),
+         "pictures agree: 99.9 % of their pixels are within one step of 255");
+    return html + "</div>\n";
+}
+
+// Ours, theirs, difference.
+void add_to_sheet(const report::OptionalPicture& ours, const report::OptionalPicture& theirs,
+                  std::vector<OIIO::ImageBuf>& pictures) {
+    const OIIO::ImageBuf nothing(OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8));
+    pictures.push_back(ours ? *ours : nothing);
+    pictures.push_back(theirs ? *theirs : nothing);
+    pictures.push_back(ours && theirs ? report::magnified_difference(*ours, *theirs, report::kMagnification)
+                                      : nothing);
+}
+
 }  // namespace
 
-std::string demo_page(const std::vector<DemoScene>& scenes, const std::vector<int>& threads) {
-    std::string html = report::page_head("Terrazzo beside OSMesa");
+std::string demo_page(const std::vector<DemoScene>& scenes, const std::vector<int>& threads,
+                      const DemoPrograms& programs) {
+    std::string html = report::page_head("Terrazzo beside Mesa");
     html +=
-        "<h1>Terrazzo beside OSMesa</h1><p class=\"lead\">The same programs drawn through the two libraries, "
-        "each "
-        "in its own process. Speeds are medians over interleaved rounds, every frame ended by glFinish; the "
-        "first "
-        "frame counts from the start of the process; memory is the process's highest resident set.</p>\n";
-    html += "<h2>Figures</h2>" + summary(scenes, threads);
-    html += "<h2>Pictures</h2>";
+        "<h1>Terrazzo beside Mesa</h1><p class=\"lead\">OpenGL drawn by this processor, twice: by Terrazzo "
+        "and by Mesa's llvmpipe. Differences are magnified by 32: one step of 255 is a visible tone, black "
+        "is "
+        "the same colour to the bit.</p>\n";
+    html += totals(scenes, threads, programs);
+    html += programs_section(programs);
+    html +=
+        "<h2>Scenes and models through OSMesa</h2><p class=\"lead\">The same programs drawn through the two "
+        "libraries, each in its own process. Speeds are medians over interleaved rounds, every frame ended "
+        "by glFinish; the first frame counts from the start of the process; memory is the process's highest "
+        "resident set.</p>\n";
+    html += summary(scenes, threads);
     for (const DemoScene& scene : scenes) html += card(scene);
     return html + report::page_foot();
 }
 
-OIIO::ImageBuf demo_contact_sheet(const std::vector<DemoScene>& scenes) {
+OIIO::ImageBuf demo_contact_sheet(const std::vector<DemoScene>& scenes, const DemoPrograms& programs) {
     constexpr int kColumns = 6, kCell = 320;
-    const OIIO::ImageBuf nothing(OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8));
     std::vector<OIIO::ImageBuf> pictures;
-    for (const DemoScene& scene : scenes) {
-        pictures.push_back(scene.ours ? *scene.ours : nothing);
-        pictures.push_back(scene.theirs ? *scene.theirs : nothing);
-        pictures.push_back(scene.ours && scene.theirs ? difference(scene) : nothing);
-    }
+    for (const DemoProgram& program : programs.programs) add_to_sheet(program.ours, program.theirs, pictures);
+    for (const DemoScene& scene : scenes) add_to_sheet(scene.ours, scene.theirs, pictures);
     return report::contact_sheet(pictures, kColumns, kCell);
 }
 

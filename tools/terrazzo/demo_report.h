@@ -1,5 +1,5 @@
 // Stage: the demo's page and contact sheet.
-// Input: per scene the two pictures and the measurements. Output: HTML text and a picture.
+// Input: per scene the two pictures and the measurements, and the programs. Output: HTML text and a picture.
 #pragma once
 
 #include <OpenImageIO/imagebuf.h>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "demo_programs.h"
 #include "rounds.h"
 
 namespace terrazzo {
@@ -22,13 +23,21 @@ struct DemoScene {
     std::size_t pixels_off = 0;  // by more than one step of 255
     double largest_difference = 0;
     bench::SceneResult speed;
+
+    // Of two pictures.
+    bool agrees() const {
+        const OIIO::ImageSpec& size = ours->spec();
+        return static_cast<double>(pixels_off) <=
+               (1 - kAgreeingShare) * static_cast<double>(size.image_pixels());
+    }
 };
 
 inline constexpr const char* kOurs = "Terrazzo";
 inline constexpr const char* kTheirs = "OSMesa";
 
-std::string demo_page(const std::vector<DemoScene>& scenes, const std::vector<int>& threads);
-// Two scenes a row: ours, theirs, difference.
-OIIO::ImageBuf demo_contact_sheet(const std::vector<DemoScene>& scenes);
+std::string demo_page(const std::vector<DemoScene>& scenes, const std::vector<int>& threads,
+                      const DemoPrograms& programs);
+// Two of them a row: ours, theirs, difference.
+OIIO::ImageBuf demo_contact_sheet(const std::vector<DemoScene>& scenes, const DemoPrograms& programs);
 
 }  // namespace terrazzo
