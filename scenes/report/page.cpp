@@ -27,13 +27,13 @@ p.lead { color: var(--soft); margin: 0 0 1.5rem; max-width: 70ch; }
 .pictures { display: flex; flex-wrap: wrap; gap: .75rem; }
 figure { margin: 0; }
 figure img { display: block; width: 256px; height: auto; image-rendering: pixelated; border-radius: 4px; }
-.large img { width: 380px; image-rendering: auto; }
+.large img { width: 372px; image-rendering: auto; }
 figcaption { margin-top: .2rem; font-size: .8rem; color: var(--soft); }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { text-align: right; padding: .25rem .5rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th { font-weight: 600; color: var(--soft); font-size: .82rem; }
 th:first-child, td:first-child { text-align: left; }
-.figures { overflow-x: auto; margin-top: .7rem; }
+.figures { overflow-x: auto; margin: .7rem 0 1rem; }
 .good-text { color: var(--good); font-weight: 600; } .bad-text { color: var(--bad); font-weight: 600; }
 .warn-text { color: var(--warn); font-weight: 600; }
 ul.problems { margin: .6rem 0 0; padding-left: 1.2rem; color: var(--bad); }

@@ -69,8 +69,9 @@ std::string card(const DemoProgram& program) {
     html += report::comparison(program.ours, "Terrazzo", program.theirs, "Mesa");
     if (program.problem.empty())
         html += fmt::format(
-            "<div class=\"theme\">Of {} pictures at least {:.3f} % of the pixels are within one step of 255; "
-            "the largest difference is {} steps</div>",
+            "<div class=\"theme\">{} pictures compared: {:.3f} % of the pixels or more are within one step "
+            "of "
+            "255; largest difference: {}</div>",
             program.within_one.size(), 100 * program.lowest_share(), program.largest_difference);
     else
         html += "<ul class=\"problems\"><li>" + escaped(program.problem) + "</li></ul>";
@@ -116,7 +117,8 @@ std::string programs_section(const DemoPrograms& programs) {
     std::string html = fmt::format(
         "<h2>Programs in windows</h2><p class=\"lead\">Real programs, not changed and not compiled anew. "
         "Each ran on Terrazzo for some seconds while what it draws was written down; then both drivers drew "
-        "these very frames, in turns, as fast as they could, in a window of one X server. Terrazzo: {}. Mesa: {}. "
+        "these very frames, in turns, as fast as they could, in a window of one X server. Terrazzo: {}. "
+        "Mesa: {}. "
         "Frames a second are medians, and count the tool that reads the recording, which is the same for "
         "both.</p>\n",
         escaped(programs.our_renderer), escaped(programs.their_renderer));

@@ -94,8 +94,8 @@ std::string card(const DemoScene& scene) {
     html += report::comparison(scene.ours, kOurs, scene.theirs, kTheirs);
     if (scene.ours && scene.theirs)
         html += fmt::format(
-            "<div class=\"theme\">{} pixels differ by more than one step of 255; the largest difference is "
-            "{:.0f} steps</div>",
+            "<div class=\"theme\">{} pixels differ by more than one step of 255; largest difference: "
+            "{:.0f}</div>",
             scene.pixels_off, scene.largest_difference);
     if (!scene.failures.empty()) {
         html += "<ul class=\"problems\">";
