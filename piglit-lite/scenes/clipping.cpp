@@ -143,3 +143,52 @@ SCENE(clip_huge_and_tiny, "triangles of enormous size, slivers, and vertices far
         gl.End();
     }
 }
+
+SCENE(clip_control,
+      "both origins with both ranges of depth: clipped solids, facing, stipples, lines, points, texts") {
+    const GLenum origins[] = {GL_LOWER_LEFT, GL_UPPER_LEFT},
+                 ranges[] = {GL_NEGATIVE_ONE_TO_ONE, GL_ZERO_TO_ONE};
+    for_viewports(gl, 2, 2, [&](int cell) {
+        gl.ClipControl(origins[cell % 2], ranges[cell / 2]);
+        camera(gl, 60, 1.6F, 0.7F, 2.4F);
+        gl.DepthRange(0.1, 0.8);
+        gl.Enable(GL_DEPTH_TEST);
+        gl.Enable(GL_LIGHTING);
+        gl.Enable(GL_LIGHT0);
+        gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+        const GLfloat back[] = {0.9F, 0.3F, 0.1F, 1}, front[] = {0.2F, 0.7F, 0.9F, 1};
+        gl.Materialfv(GL_FRONT, GL_DIFFUSE, front);
+        gl.Materialfv(GL_BACK, GL_DIFFUSE, back);
+        gl.PushMatrix();
+        gl.Rotatef(-40, 1, 0.5F, 0);
+        draw_solid(gl, make_torus(0.8F, 0.35F, 26, 13), kNormals);
+        gl.PopMatrix();
+        gl.Disable(GL_LIGHTING);
+        gl.Enable(GL_CULL_FACE);
+        gl.Color3f(1, 0.9F, 0.2F);
+        gl.Begin(GL_TRIANGLES);
+        gl.Vertex3f(-0.9F, -0.9F, 0), gl.Vertex3f(-0.2F, -0.8F, 1.2F), gl.Vertex3f(-0.7F, 0.1F, -1.1F);
+        gl.Vertex3f(0.3F, 0.4F, 0.2F), gl.Vertex3f(0.4F, 0.9F, 0.2F), gl.Vertex3f(0.9F, 0.5F, 0.2F);
+        gl.End();
+        gl.Disable(GL_CULL_FACE);
+        gl.Begin(GL_LINES);
+        gl.Vertex3f(-1, 0.9F, -4), gl.Vertex3f(0.9F, 0.7F, 2);
+        gl.Vertex3f(-0.8F, 0.8F, 0), gl.Vertex3f(0.1F, -0.9F, 0.4F);
+        gl.End();
+        gl.PointSize(5);
+        gl.Begin(GL_POINTS);
+        for (int i = 0; i < 12; ++i)
+            gl.Vertex3f(-0.9F + 0.15F * static_cast<float>(i), -0.6F, 1.3F - 0.3F * static_cast<float>(i));
+        gl.End();
+        gl.Disable(GL_DEPTH_TEST);
+        const GLubyte glyph[] = {0xff, 0x81, 0xbd, 0xa1, 0xa1, 0xbd, 0x81, 0xff};
+        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        gl.RasterPos3f(0.3F, 0.3F, 0.3F);
+        gl.Bitmap(8, 8, 0, 0, 0, 0, glyph);
+        GLfloat position[4];
+        gl.GetFloatv(GL_CURRENT_RASTER_POSITION, position);
+        notes.values("raster position", position, 1e-4);
+        gl.DepthRange(0, 1);
+    });
+    gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}

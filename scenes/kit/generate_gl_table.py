@@ -9,7 +9,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 VERSIONS = ("1.0", "1.1", "1.2", "1.3", "1.4", "1.5")
-EXTENSIONS = ("GL_ARB_framebuffer_object",)
+EXTENSIONS = ("GL_ARB_clip_control", "GL_ARB_framebuffer_object")
 
 
 def command_names(registry):

@@ -1,5 +1,6 @@
 // Stage: client side, loading a GL library. Input: a path. Output: filled function tables.
-// Uses dlsym alone, as programs linked with -lOSMesa do; OSMesaGetProcAddress is one more function to test.
+// Uses dlsym, as programs linked with -lOSMesa do; OSMesaGetProcAddress is one more function to test, and for
+// what is not exported.
 #include "library.h"
 
 #include <dlfcn.h>
@@ -41,6 +42,8 @@ Library::Library(const std::string& path) : m_handle(open_library(path)) {
     load(m_handle, "OSMesaPostprocess", osmesa.Postprocess);
     for (const GlCommand& command : kGlCommands) {
         void* address = dlsym(m_handle, command.name);
+        // Mesa's library does not export the commands of every extension.
+        if (!address) address = reinterpret_cast<void*>(osmesa.GetProcAddress(command.name));
         if (!address) missing.emplace_back(command.name);
         std::memcpy(reinterpret_cast<char*>(&gl) + command.offset, &address, sizeof address);
     }

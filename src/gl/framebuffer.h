@@ -17,6 +17,18 @@ struct ViewportState {
     GLdouble near_depth = 0, far_depth = 1;
 };
 
+// Window depth of a depth in normalised device coordinates, in the reference's roundings: it keeps the range
+// as floats.
+struct DepthMapping {
+    float scale, translate;
+};
+inline DepthMapping depth_mapping(const ViewportState& viewport, GLenum clip_depth_mode) {
+    const GLdouble near = static_cast<GLfloat>(viewport.near_depth),
+                   far = static_cast<GLfloat>(viewport.far_depth);
+    if (clip_depth_mode == GL_ZERO_TO_ONE) return {static_cast<float>(far - near), static_cast<float>(near)};
+    return {static_cast<float>(0.5 * (far - near)), static_cast<float>(0.5 * (near + far))};
+}
+
 struct ClearValues {
     std::array<GLfloat, 4> color{};  // as specified; clamped where it is used, for a float target must not be
     GLfloat index = 0;
@@ -37,8 +49,8 @@ struct FramebufferState {
 ColorBuffer drawn_color_buffer(const Context& ctx);
 ColorBuffer read_color_buffer(const Context& ctx);
 
-// Makes the drawable's buffers those that glDrawBuffer chose. What is queued must have been drawn, but for another
-// drawable. Throws std::bad_alloc.
+// Makes the drawable's buffers those that glDrawBuffer chose. What is queued must have been drawn, but for
+// another drawable. Throws std::bad_alloc.
 void use_draw_buffer(Context& ctx, Drawable& drawable);
 
 // glDrawBuffer with a checked argument. Throws std::bad_alloc.

@@ -62,6 +62,20 @@ void matrix_mode(Context& ctx, GLenum mode) {
     ctx.matrix.transform.matrix_mode = mode;
 }
 
+void clip_control(Context& ctx, GLenum origin, GLenum depth) {
+    if (origin != GL_LOWER_LEFT && origin != GL_UPPER_LEFT)
+        return record_error(ctx, GL_INVALID_ENUM, "no such clip origin");
+    if (depth != GL_NEGATIVE_ONE_TO_ONE && depth != GL_ZERO_TO_ONE)
+        return record_error(ctx, GL_INVALID_ENUM, "no such clip depth mode");
+    TransformState& transform = ctx.matrix.transform;
+    if (transform.clip_origin == origin && transform.clip_depth_mode == depth) return;
+    // The origin turns the front side round.
+    begin_change(ctx, Dirty::kTransform);
+    begin_change(ctx, Dirty::kRasterization);
+    transform.clip_origin = origin;
+    transform.clip_depth_mode = depth;
+}
+
 void push_matrix(Context& ctx) {
     MatrixStack& stack = current_stack(ctx);
     if (static_cast<int>(stack.entries.size()) == stack.max_depth) {

@@ -34,6 +34,8 @@ struct TransformState {
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
     bool normalize = false;
     bool rescale_normal = false;
+    GLenum clip_origin = GL_LOWER_LEFT;  // ARB_clip_control
+    GLenum clip_depth_mode = GL_NEGATIVE_ONE_TO_ONE;
 };
 
 struct MatrixState {

@@ -40,8 +40,11 @@ GLfloat dot4(const Vector4& a, const Vector4& b) {
 }
 
 bool is_inside(const Context& ctx, const Vector4& clip) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!(clip[axis] >= -clip[3] && clip[axis] <= clip[3])) return false;
+    const bool zero_to_one = ctx.matrix.transform.clip_depth_mode == GL_ZERO_TO_ONE;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const GLfloat low = axis == 2 && zero_to_one ? 0.0f : -clip[3];
+        if (!(clip[axis] >= low && clip[axis] <= clip[3])) return false;
+    }
     for (const ClipPlane& plane : ctx.matrix.transform.clip_planes) {
         if (!plane.enabled) continue;
         Vector4 in_clip_space;
@@ -52,15 +55,15 @@ bool is_inside(const Context& ctx, const Vector4& clip) {
 }
 
 // Window coordinates count upwards here (GL 1.5 §2.11.1).
-Vector4 window_position(const ViewportState& viewport, const Vector4& clip) {
+Vector4 window_position(const ViewportState& viewport, const TransformState& transform, const Vector4& clip) {
     const GLfloat inverse = clip[3] == 0 ? 1.0f : 1.0f / clip[3];
     const GLfloat half_width = 0.5f * static_cast<float>(viewport.width),
                   half_height = 0.5f * static_cast<float>(viewport.height);
-    const auto scale_z = static_cast<float>(0.5 * (viewport.far_depth - viewport.near_depth)),
-               middle_z = static_cast<float>(0.5 * (viewport.near_depth + viewport.far_depth));
+    const GLfloat up = transform.clip_origin == GL_UPPER_LEFT ? -half_height : half_height;
+    const DepthMapping depth = depth_mapping(viewport, transform.clip_depth_mode);
     return {clip[0] * inverse * half_width + (half_width + static_cast<float>(viewport.x)),
-            clip[1] * inverse * half_height + (half_height + static_cast<float>(viewport.y)),
-            clip[2] * inverse * scale_z + middle_z, clip[3]};
+            clip[1] * inverse * up + (half_height + static_cast<float>(viewport.y)),
+            clip[2] * inverse * depth.scale + depth.translate, clip[3]};
 }
 
 Vector4 clamped(const Vector4& color) {
@@ -206,7 +209,7 @@ void raster_pos4f(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
         return;
     }
     RasterPosition made = ctx.raster_position;
-    made.window = window_position(ctx.framebuffer.viewport, clip);
+    made.window = window_position(ctx.framebuffer.viewport, ctx.matrix.transform, clip);
     made.distance = fog_distance(ctx, std::sqrt(dot3(eye, eye)));
     made.index = ctx.vertex.current.index;
     made.color = clamped(ctx.vertex.current.color());

@@ -50,6 +50,8 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
         {GL_PROJECTION_STACK_DEPTH, [](Context& c, Out& out) { out = depth(c.matrix.projection); }},
         {GL_TEXTURE_STACK_DEPTH, [](Context& c, Out& out) { out = depth(texture_stack(c)); }},
         {GL_MATRIX_MODE, [](Context& c, Out& out) { out = c.matrix.transform.matrix_mode; }},
+        {GL_CLIP_ORIGIN, [](Context& c, Out& out) { out = c.matrix.transform.clip_origin; }},
+        {GL_CLIP_DEPTH_MODE, [](Context& c, Out& out) { out = c.matrix.transform.clip_depth_mode; }},
         {GL_VIEWPORT,
          [](Context& c, Out& out) {
              const ViewportState& v = c.framebuffer.viewport;

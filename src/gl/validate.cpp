@@ -32,14 +32,17 @@ void make_viewport(const Context& ctx, pipeline::VertexState& out) {
                 half_height = 0.5f * static_cast<float>(v.height);
     out.viewport_scale[0] = half_width;
     out.viewport_translate[0] = half_width + static_cast<float>(v.x);
-    out.viewport_scale[1] = half_height;
+    const TransformState& transform = ctx.matrix.transform;
+    out.viewport_scale[1] = transform.clip_origin == GL_UPPER_LEFT ? -half_height : half_height;
     out.viewport_translate[1] = half_height + static_cast<float>(v.y);
     if (ctx.surface.format.rows == raster::RowOrder::kTopFirst) {
-        out.viewport_scale[1] = -half_height;
+        out.viewport_scale[1] = -out.viewport_scale[1];
         out.viewport_translate[1] = static_cast<float>(ctx.surface.height) - out.viewport_translate[1];
     }
-    out.viewport_scale[2] = static_cast<float>(0.5 * (v.far_depth - v.near_depth));
-    out.viewport_translate[2] = static_cast<float>(0.5 * (v.near_depth + v.far_depth));
+    const DepthMapping depth = depth_mapping(v, transform.clip_depth_mode);
+    out.viewport_scale[2] = depth.scale;
+    out.viewport_translate[2] = depth.translate;
+    out.zero_to_one = transform.clip_depth_mode == GL_ZERO_TO_ONE;
 }
 
 void make_transform(Context& ctx, pipeline::VertexState& out) {
@@ -84,7 +87,8 @@ void make_raster(const Context& ctx, pipeline::RasterState& out) {
     out.flat = ctx.lighting.shade_model == GL_FLAT;
     out.cull_front = polygon.cull_enabled && polygon.cull_face != GL_BACK;
     out.cull_back = polygon.cull_enabled && polygon.cull_face != GL_FRONT;
-    out.front_is_clockwise = polygon.front_face == GL_CW;
+    out.front_is_clockwise =
+        (polygon.front_face == GL_CW) != (ctx.matrix.transform.clip_origin == GL_UPPER_LEFT);
     out.fill[0] = translate_fill_mode(polygon.front_mode);
     out.fill[1] = translate_fill_mode(polygon.back_mode);
     // Sides that are culled do not make a draw one of lines or points.

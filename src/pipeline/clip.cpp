@@ -14,11 +14,14 @@ namespace {
 // In the order of the outcode's bits.
 constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
                                  {0, 1, 0, 1},  {0, 0, 1, 1}, {0, 0, -1, 1}};
+constexpr float kNearAtZero[4] = {0, 0, 1, 0};
 
 }  // namespace
 
 float Clipper::distance(int plane, int vertex) const {
-    const float* const p = plane < 6 ? kVolume[plane] : m_state.clip_planes[plane - 6];
+    const float* const p = plane >= 6                          ? m_state.clip_planes[plane - 6]
+                           : plane == 4 && m_state.zero_to_one ? kNearAtZero
+                                                               : kVolume[plane];
     return m_vertices.column(kClipX)[vertex] * p[0] + m_vertices.column(kClipY)[vertex] * p[1] +
            m_vertices.column(kClipZ)[vertex] * p[2] + m_vertices.column(kClipW)[vertex] * p[3];
 }

@@ -19,7 +19,8 @@ I32x16 outcode(const VertexState& state, const Wide4& clip) {
     };
     I32x16 code = flag(clip.x <= clip.w, kOutsideRight) | flag(clip.x + clip.w >= zero, kOutsideLeft) |
                   flag(clip.y <= clip.w, kOutsideTop) | flag(clip.y + clip.w >= zero, kOutsideBottom) |
-                  flag(clip.z + clip.w >= zero, kOutsideNear) | flag(clip.z <= clip.w, kOutsideFar);
+                  flag((state.zero_to_one ? clip.z : clip.z + clip.w) >= zero, kOutsideNear) |
+                  flag(clip.z <= clip.w, kOutsideFar);
     for (int p = 0; p < kMaxClipPlanes; ++p) {
         if (!(state.clip_plane_mask >> p & 1)) continue;
         const float* const plane = state.clip_planes[p];

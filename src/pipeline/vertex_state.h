@@ -78,6 +78,7 @@ struct VertexState {
     float normal_matrix[9];        // columns of the inverse transpose's upper 3x3
     bool affine = false;           // the last row of mvp is 0 0 0 1
     float viewport_scale[3], viewport_translate[3];
+    bool zero_to_one = false;                   // the near plane is at clip z = 0, not at -w
     uint32_t clip_plane_mask = 0;               // bit p: plane p is enabled
     float clip_planes[kMaxClipPlanes][4] = {};  // in clip coordinates
     NormalScaling normal_scaling = NormalScaling::kNone;

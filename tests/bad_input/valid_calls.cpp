@@ -123,6 +123,7 @@ const std::vector<ValidCall>& valid_calls() {
         {"glMaterial[fi]", {GL_FRONT, GL_SHININESS, 1.0}},
         {"glMaterial[fi]v", {GL_FRONT, GL_DIFFUSE, in}},
         {"glMatrixMode", {GL_TEXTURE}},
+        {"glClipControl(EXT)?", {GL_UPPER_LEFT, GL_ZERO_TO_ONE}},
         {"glMultiDrawArrays(EXT)?", {GL_TRIANGLES, in, in, 1}},
         {"glMultiDrawElements(EXT)?", {GL_TRIANGLES, Names{}, GL_UNSIGNED_INT, in, 1}},
         {"glNewList", {1, GL_COMPILE}},

@@ -207,6 +207,7 @@ const Group kGroups[] = {
     {GL_TRANSFORM_BIT, "transform",
      [](auto& gl) {
          gl.MatrixMode(GL_TEXTURE);
+         gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
          gl.ClipPlane(GL_CLIP_PLANE1, kPlane);
          gl.Enable(GL_CLIP_PLANE1);
          gl.Enable(GL_NORMALIZE);

@@ -25,6 +25,8 @@ const BadCall kBadCalls[] = {
     {"Enable of a clip plane too many", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_CLIP_PLANE0 + 6); }},
     {"IsEnabled", GL_INVALID_ENUM, [](auto& gl) { gl.IsEnabled(GL_COPY); }},
 
+    {"ClipControl, origin", GL_INVALID_ENUM, [](auto& gl) { gl.ClipControl(GL_LEFT, GL_ZERO_TO_ONE); }},
+    {"ClipControl, depth", GL_INVALID_ENUM, [](auto& gl) { gl.ClipControl(GL_UPPER_LEFT, GL_LESS); }},
     {"MatrixMode", GL_INVALID_ENUM, [](auto& gl) { gl.MatrixMode(GL_COLOR_MATERIAL); }},
     {"PopMatrix of the last one", GL_STACK_UNDERFLOW, [](auto& gl) { gl.PopMatrix(); }},
     {"Frustum, near = 0", GL_INVALID_VALUE, [](auto& gl) { gl.Frustum(-1, 1, -1, 1, 0, 1); }},

@@ -68,10 +68,12 @@ const Command kCommands[] = {
          const GLint v[4] = {p.integer(), p.integer(), p.integer(), p.integer()};
          p.gl().Viewport(v[0], v[1], v[2], v[3]);
      }},
-    {"glDepthRange",
+    {"glDepthRange and glClipControl",
      [](Player& p) {
          const auto v = p.numbers(2);
          p.gl().DepthRange(v[0], v[1]);
+         p.gl().ClipControl(v[0] < 0.5 ? GL_UPPER_LEFT : GL_LOWER_LEFT,
+                            v[1] < 0.5 ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
      }},
 };
 
