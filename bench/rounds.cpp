@@ -18,7 +18,8 @@ void measure(const Plan& plan, const nlohmann::json& scene, Measurement& measure
                               {"width", plan.width},
                               {"height", plan.height},
                               {"seconds", plan.seconds},
-                              {"animate", plan.animate}});
+                              {"animate", plan.animate},
+                              {"samples", plan.samples}});
     request.environment = thread_environment(measurement.contender.threads);
     const kit::ChildReport report = kit::run_in_child(request);
     if (!report.finished()) {
@@ -111,9 +112,9 @@ nlohmann::json to_json(const Plan& plan, const std::vector<SceneResult>& results
         }
         scenes.push_back({{"scene", result.scene}, {"runs", std::move(runs)}});
     }
-    return {{"width", plan.width},        {"height", plan.height},   {"rounds", plan.rounds},
-            {"seconds", plan.seconds},    {"animate", plan.animate}, {"baseline", baseline},
-            {"scenes", std::move(scenes)}};
+    return {{"width", plan.width},     {"height", plan.height},      {"rounds", plan.rounds},
+            {"seconds", plan.seconds}, {"animate", plan.animate},    {"samples", plan.samples},
+            {"baseline", baseline},    {"scenes", std::move(scenes)}};
 }
 
 }  // namespace terrazzo::bench

@@ -26,6 +26,7 @@ struct Plan {
     int width = 1024;
     int height = 1024;
     bool animate = false;
+    int samples = 0;  // of a pixel
 };
 
 struct Measurement {

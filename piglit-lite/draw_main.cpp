@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "kit/child.h"
+#include "kit/object_in_window.h"
 #include "scene.h"
 
 namespace {
@@ -23,44 +24,6 @@ void clear_to_background(const kit::Gl& gl) {
     gl.ClearColor(0, 0, 0, 0);
 }
 
-// A frame buffer object like the window, in its place while a scene is drawn.
-class ObjectInWindow {
-  public:
-    ObjectInWindow(const kit::Gl& gl, const kit::ContextOptions& window)
-        : m_gl(gl), m_width(window.width), m_height(window.height) {
-        GLuint object;
-        m_gl.GenFramebuffers(1, &object);
-        m_gl.BindFramebuffer(GL_FRAMEBUFFER, object);
-        attach(GL_COLOR_ATTACHMENT0, GL_RGBA8);
-        if (window.depth_bits == 16 && window.stencil_bits == 0) {
-            attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT16);
-        } else {
-            attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8);
-        }
-    }
-    // Its colours become the window's.
-    void show() const {
-        m_gl.Disable(GL_SCISSOR_TEST);
-        m_gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
-        m_gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-        m_gl.BlitFramebuffer(0, 0, m_width, m_height, 0, 0, m_width, m_height, GL_COLOR_BUFFER_BIT,
-                             GL_NEAREST);
-        m_gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    }
-
-  private:
-    void attach(GLenum point, GLenum format) const {
-        GLuint renderbuffer;
-        m_gl.GenRenderbuffers(1, &renderbuffer);
-        m_gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-        m_gl.RenderbufferStorage(GL_RENDERBUFFER, format, m_width, m_height);
-        m_gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, renderbuffer);
-    }
-
-    const kit::Gl& m_gl;
-    int m_width, m_height;
-};
-
 nlohmann::json draw(const nlohmann::json& arguments) {
     const auto name = arguments.at("scene").get<std::string>();
     const piglit::Scene* scene = piglit::find_scene(name);
@@ -69,8 +32,9 @@ nlohmann::json draw(const nlohmann::json& arguments) {
     kit::ContextOptions options = scene->context;
     if (arguments.value("in_rgba", false)) options.format = OSMESA_RGBA;
     const kit::OffscreenContext context(library, options);
-    std::optional<ObjectInWindow> object;
-    if (arguments.value("in_object", false)) object.emplace(library.gl, options);
+    std::optional<kit::ObjectInWindow> object;
+    if (arguments.value("in_object", false))
+        object.emplace(library.gl, options, arguments.value("samples", 0));
     clear_to_background(library.gl);
     piglit::Notes notes;
     scene->draw(library.gl, notes);

@@ -61,6 +61,7 @@ void define_options(CLI::App& app, CommandLine& line) {
         ->capture_default_str();
     app.add_option("--isa", options.isas, "Instruction sets of ours; none: its own choice")->delimiter(',');
     app.add_flag("--in-object", options.in_object, "Draw to a frame buffer object in the window's place");
+    app.add_option("--samples", options.samples, "Samples a pixel of that object");
     app.add_flag("!--no-softpipe", options.softpipe, "Leave softpipe out of the report");
     app.add_option("--jobs", options.jobs, "Scenes at a time")
         ->check(CLI::PositiveNumber)

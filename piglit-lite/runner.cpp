@@ -19,6 +19,7 @@ Drawing draw(const Options& options, const Scene& scene, const std::string& libr
     request.arguments = {{"scene", scene.name},
                          {"library", library},
                          {"in_object", options.in_object},
+                         {"samples", options.samples},
                          {"in_rgba", scene.reference_in_rgba && library == options.theirs}};
     request.environment = std::move(environment);
     return drawing_of(kit::run_in_child(request));

@@ -20,7 +20,8 @@ struct Options {
     bool softpipe = true;               // draw Mesa's own second opinion, the bar to beat
     bool in_object = false;             // draw to a frame buffer object in the window's place
     bool ours_is_softpipe =
-        false;  // softpipe stands in for ours: how the comparison judges Mesa against itself
+        false;        // softpipe stands in for ours: how the comparison judges Mesa against itself
+    int samples = 0;  // of the object's pixels; 0: it is not multisampled
     unsigned jobs = 2;
 };
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 
 #include "gltf/model.h"
 #include "kit/child.h"
+#include "kit/object_in_window.h"
 #include "kit/offscreen.h"
 #include "kit/shared_bytes.h"
 #include "study/scenes.h"
@@ -35,8 +37,18 @@ std::string gl_string(const kit::Gl& gl, GLenum name) {
     return text ? text : "";
 }
 
+// One frame, to the object and from there to the window where there is one.
+void draw_frame(kit::Drawing& drawing, const kit::Gl& gl, int frame,
+                const std::optional<kit::ObjectInWindow>& object) {
+    if (object) object->bind();
+    drawing.draw(gl, frame);
+    if (object) object->show();
+    gl.Finish();
+}
+
 // Draws for at least the wanted time; returns each frame's seconds.
-std::vector<double> time_frames(kit::Drawing& drawing, const kit::Gl& gl, const nlohmann::json& arguments) {
+std::vector<double> time_frames(kit::Drawing& drawing, const kit::Gl& gl, const nlohmann::json& arguments,
+                                const std::optional<kit::ObjectInWindow>& object) {
     constexpr std::size_t kFewestFrames = 3;
     const double wanted = arguments.value("seconds", 0.0);
     const bool animate = arguments.value("animate", false);
@@ -47,8 +59,7 @@ std::vector<double> time_frames(kit::Drawing& drawing, const kit::Gl& gl, const 
     Clock::time_point before = start;
     while (frames.size() < kFewestFrames || seconds_between(start, before) < wanted) {
         if (animate) ++frame;
-        drawing.draw(gl, frame);
-        gl.Finish();
+        draw_frame(drawing, gl, frame, object);
         const Clock::time_point after = Clock::now();
         frames.push_back(seconds_between(before, after));
         before = after;
@@ -78,12 +89,13 @@ nlohmann::json draw_task(const nlohmann::json& arguments) {
     const kit::OffscreenContext context(library, options);
     const kit::Gl& gl = library.gl;
 
+    std::optional<kit::ObjectInWindow> object;
+    if (const int samples = arguments.value("samples", 0)) object.emplace(gl, options, samples);
     drawing->prepare(gl, options.width, options.height);
-    drawing->draw(gl, arguments.value("frame", 0));
-    gl.Finish();
+    draw_frame(*drawing, gl, arguments.value("frame", 0), object);
     nlohmann::json result{{"first_frame_seconds", kit::seconds_since_start()}};
 
-    const std::vector<double> frames = time_frames(*drawing, gl, arguments);
+    const std::vector<double> frames = time_frames(*drawing, gl, arguments, object);
     if (!frames.empty()) {
         double sum = 0;
         for (const double seconds : frames) sum += seconds;

@@ -36,6 +36,7 @@ struct Axis {
     }
     double at(int pixel) const { return origin + scale * (pixel + 0.5); }
     bool is_inside(int pixel) const { return at(pixel) >= low && at(pixel) < high; }
+    bool keeps_size() const { return scale == 1; }
     int nearest(int pixel) const {
         return std::clamp(static_cast<int>(std::floor(at(pixel))), low, high - 1);
     }
@@ -59,7 +60,33 @@ class Blit {
     Blit(Context& ctx, const ReadSource& source, const Axis& across, const Axis& up)
         : m_source(source), m_to(*ctx.surface.draw->target()), m_across(across), m_up(up) {}
 
+    // Bytes for bytes, neither scaled nor turned.
+    bool copies_bytes() const {
+        const raster::TargetFormat &from = m_source.target().format(), &to = m_to.format();
+        return from.color == raster::ColorFormat::kRgba8 && to.color == raster::ColorFormat::kRgba8 &&
+               from.has_alpha && m_across.keeps_size() && m_up.keeps_size();
+    }
+    void copy_bytes() const {
+        const auto width = static_cast<size_t>(count());
+        std::vector<uint8_t> rows(4 * width * raster::kBinSize);
+        const auto stride = static_cast<std::ptrdiff_t>(4 * width);
+        // As many rows at a time as lie in one row of the source's bins.
+        const int first = m_source.target().row(m_up.nearest(m_up.first)),
+                  last = m_source.target().row(m_up.nearest(m_up.last - 1));
+        for (int low = std::min(first, last), end = std::max(first, last) + 1, next; low < end; low = next) {
+            next = std::min(end, (low / raster::kBinSize + 1) * raster::kBinSize);
+            pipeline::read_rgba8_rect(m_source.target(),
+                                      {m_across.nearest(m_across.first), low, count(), next - low},
+                                      rows.data(), stride);
+            for (int row = low; row < next; ++row) {
+                const int above = std::abs(row - first);
+                pipeline::write_color_rgba8(m_to, m_across.first, m_to.row(m_up.first + above), count(),
+                                            rows.data() + static_cast<size_t>(row - low) * 4 * width);
+            }
+        }
+    }
     void nearest_colors() const {
+        if (copies_bytes()) return copy_bytes();
         std::vector<float> from, to;
         copy(
             from, to, 4,
@@ -85,6 +112,14 @@ class Blit {
                 pipeline::read_stencil(m_source.target(), m_across.low, row, width(), from.data());
             },
             [&](int row) { pipeline::write_stencil(m_to, m_across.first, row, count(), to.data()); });
+    }
+    // All samples as they are, from one multisampled buffer to another.
+    void samples(raster::ClearPlanes planes) const {
+        for (int y = m_up.first; y < m_up.last; ++y)
+            for (int x = m_across.first; x < m_across.last; ++x)
+                pipeline::copy_samples(
+                    {m_source.target(), m_across.nearest(x), m_source.target().row(m_up.nearest(y))},
+                    {m_to, x, m_to.row(y)}, planes);
     }
     void linear_colors() const {
         std::vector<float> low(4 * static_cast<size_t>(width())), high(low),
@@ -153,6 +188,10 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
                        ctx.framebuffer.read_buffer != GL_NONE && ctx.surface.read->target()->has_color();
     if (depth && from.depth_bits != to.depth_bits)
         return record_error(ctx, GL_INVALID_OPERATION, "the depth buffers are of different formats");
+    const bool same_size = std::abs(int64_t{srcX1} - srcX0) == std::abs(int64_t{dstX1} - dstX0) &&
+                           std::abs(int64_t{srcY1} - srcY0) == std::abs(int64_t{dstY1} - dstY0);
+    if ((from.samples > 1 || to.samples > 1) && !same_size)
+        return record_error(ctx, GL_INVALID_OPERATION, "samples are not scaled");
     flush_vertices(ctx);
     const ReadSource source(ctx);
     pipeline::RasterState box;
@@ -164,6 +203,7 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
     if (across.first >= across.last || up.first >= up.last) return;
     ctx.surface.drawn = true;
     const Blit blit(ctx, source, across, up);
+    if (from.samples > 1 && to.samples > 1) return blit.samples({color, depth, stencil});
     if (color) filter == GL_LINEAR ? blit.linear_colors() : blit.nearest_colors();
     if (depth) blit.depths();
     if (stencil) blit.stencils();

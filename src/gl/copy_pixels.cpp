@@ -107,7 +107,7 @@ void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
     const bool both = type == GL_DEPTH_STENCIL;
     if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && !both)
         return record_error(ctx, GL_INVALID_ENUM, "there is no such type of buffer");
-    if (!check_framebuffer(ctx) || !check_read_framebuffer(ctx)) return;
+    if (!check_framebuffer(ctx) || !check_readable_framebuffer(ctx)) return;
     if (type == GL_COLOR && has_read_source(ctx) && !ctx.surface.read->target()->has_color())
         return record_error(ctx, GL_INVALID_OPERATION, "there is no colour buffer");
     if (!is_there(ctx, type)) return record_error(ctx, GL_INVALID_OPERATION, "there is no such buffer");

@@ -61,9 +61,14 @@ void load_picture(Drawable& drawable, pipeline::PixelLayout layout, const std::b
         for (int y = 0; y < height; ++y) {
             const std::byte* in = top_row + (bin.y + y) * stride + bin.x * bytes;
             for (int x = 0; x < width; ++x, in += bytes) {
-                std::byte* const out = bin.color + raster::pixel_index(x, y) * bytes;
-                std::memcpy(out, in, static_cast<std::size_t>(bytes));
-                if (layout == pipeline::PixelLayout::kBgra8) std::swap(out[0], out[2]);
+                std::byte pixel[16];
+                std::memcpy(pixel, in, static_cast<std::size_t>(bytes));
+                if (layout == pipeline::PixelLayout::kBgra8) std::swap(pixel[0], pixel[2]);
+                for (int sample = 0; sample < target.format().samples; ++sample) {
+                    const raster::Bin planes = raster::planes_of_sample(bin, sample, target.format().color);
+                    std::memcpy(planes.color + raster::pixel_index(x, y) * bytes, pixel,
+                                static_cast<std::size_t>(bytes));
+                }
             }
         }
     }

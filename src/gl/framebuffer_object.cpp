@@ -62,18 +62,25 @@ AttachedSize size_of(const Attachment& a, AttachmentPoint point) {
     return fits ? AttachedSize{level.width, level.height} : AttachedSize{};
 }
 
+int samples_of(const Attachment& a) {
+    return a.renderbuffer ? a.renderbuffer->format.samples : 1;
+}
+
 // As in the reference, and later versions of GL, what draws to or reads from a missing colour buffer is no
 // reason to be incomplete, nor are attachments of different sizes.
 GLenum status_of(const Framebuffer& framebuffer) {
-    bool any = false;
+    int samples = 0;
+    bool agree = true;
     for (int point = 0; point < kAttachmentCount; ++point) {
         const Attachment& a = framebuffer.attachments[static_cast<std::size_t>(point)];
         if (a.is_empty()) continue;
         if (size_of(a, static_cast<AttachmentPoint>(point)).width == 0)
             return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
-        any = true;
+        if (samples == 0) samples = samples_of(a);
+        agree = agree && samples_of(a) == samples;
     }
-    return any ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+    if (samples == 0) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+    return agree ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
 }
 
 // Rows of an image and of a target, which both have their bottom row first.
@@ -167,6 +174,7 @@ void compose(Context& ctx, Framebuffer& framebuffer) {
         width = std::min(width, planes[index]->width());
         height = std::min(height, planes[index]->height());
         const raster::TargetFormat& own = planes[index]->format();
+        format.samples = own.samples;
         if (point == kColorAttachment) format.color = own.color, format.has_alpha = own.has_alpha;
         if (point == kDepthAttachment) format.depth_bits = own.depth_bits;
         if (point == kStencilAttachment) format.stencil_bits = own.stencil_bits;
@@ -254,6 +262,25 @@ bool check_read_framebuffer(Context& ctx) {
     ctx.surface.read = complete ? framebuffer : nullptr;
     if (!complete) record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "the frame buffer is not complete");
     return complete;
+}
+
+bool check_readable_framebuffer(Context& ctx) {
+    if (!check_read_framebuffer(ctx)) return false;
+    const bool multisampled = ctx.framebuffers.read && ctx.framebuffers.read->target()->format().samples > 1;
+    if (multisampled)
+        record_error(ctx, GL_INVALID_OPERATION, "the frame buffer object read from is multisampled");
+    return !multisampled;
+}
+
+GLint drawn_samples(Context& ctx) {
+    const Framebuffer* const object = ctx.framebuffers.draw.get();
+    int samples = ctx.surface.format.samples;
+    if (object) {
+        samples = 1;
+        if (framebuffer_status(ctx, object) == GL_FRAMEBUFFER_COMPLETE)
+            for (const Attachment& a : object->attachments) samples = std::max(samples, samples_of(a));
+    }
+    return samples > 1 ? samples : 0;
 }
 
 void settle_framebuffers(Context& ctx) {

@@ -102,6 +102,11 @@ void take_over_buffers(Context& ctx);
 bool check_framebuffer(Context& ctx);
 // The same for the object that is read from.
 bool check_read_framebuffer(Context& ctx);
+// The same for pixels that are read one a pixel: of a multisampled object that is an error.
+bool check_readable_framebuffer(Context& ctx);
+
+// GL_SAMPLES: of a pixel of what is drawn to; 0 where it is not multisampled.
+GLint drawn_samples(Context& ctx);
 
 // Draws what is queued and brings the textures that are attached up to date. Throws std::bad_alloc.
 void settle_framebuffers(Context& ctx);

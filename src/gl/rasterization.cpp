@@ -44,6 +44,7 @@ void point_parameterfv(Context& ctx, GLenum pname, const GLfloat* params) {
 }
 
 void sample_coverage(Context& ctx, GLfloat value, GLboolean invert) {
+    begin_change(ctx, Dirty::kRasterization);
     MultisampleState& state = ctx.rasterization.multisample;
     state.coverage_value = value > 0 ? std::min(value, 1.0f) : 0.0f;
     state.coverage_invert = invert != GL_FALSE;

@@ -177,7 +177,7 @@ Rule check_buffers(const Context& ctx, GLenum format) {
 void read_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
                  void* pixels) {
     if (width < 0 || height < 0) return record_error(ctx, GL_INVALID_VALUE, "width or height is negative");
-    if (!check_read_framebuffer(ctx)) return;
+    if (!check_readable_framebuffer(ctx)) return;
     Rule rule = check_client_pixel(format, type);
     if (rule.code == GL_NO_ERROR) rule = check_buffers(ctx, format);
     if (rule.code != GL_NO_ERROR) return record_error(ctx, rule.code, rule.words);

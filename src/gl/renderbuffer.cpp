@@ -148,17 +148,19 @@ void bind_renderbuffer(Context& ctx, GLenum target, GLuint renderbuffer) {
     ctx.framebuffers.renderbuffer = object;
 }
 
-// There is one sample a pixel: GL_MAX_SAMPLES is 0.
+// Whoever asks for several samples gets the one number that there is.
 void renderbuffer_storage_multisample(Context& ctx, GLenum target, GLsizei samples, GLenum internalformat,
                                       GLsizei width, GLsizei height) {
     if (target != GL_RENDERBUFFER)
         return record_error(ctx, GL_INVALID_ENUM, "the target is not GL_RENDERBUFFER");
-    const StorageFormat chosen = storage_format(internalformat);
+    StorageFormat chosen = storage_format(internalformat);
     if (!chosen.known) return record_error(ctx, GL_INVALID_ENUM, "no format of renderbuffers");
     if (width < 0 || height < 0 || width > kMaxRenderbufferSize || height > kMaxRenderbufferSize)
         return record_error(ctx, GL_INVALID_VALUE, "the size is negative or too large");
     if (samples < 0 || samples > kMaxSamples)
         return record_error(ctx, GL_INVALID_VALUE, "there are not so many samples");
+    static_assert(kMaxSamples == raster::kMaxSamples);
+    chosen.format.samples = samples > 0 ? kMaxSamples : 1;
     Renderbuffer* const renderbuffer = ctx.framebuffers.renderbuffer.get();
     if (!renderbuffer) return record_error(ctx, GL_INVALID_OPERATION, "no renderbuffer is bound");
     std::shared_ptr<raster::Target> planes;
@@ -199,7 +201,7 @@ void get_renderbuffer_parameteriv(Context& ctx, GLenum target, GLenum pname, GLi
             *params = static_cast<GLint>(r->internal_format);
             return;
         case GL_RENDERBUFFER_SAMPLES:
-            *params = 0;
+            *params = r->format.samples > 1 ? r->format.samples : 0;
             return;
         case GL_RENDERBUFFER_RED_SIZE:
         case GL_RENDERBUFFER_GREEN_SIZE:

@@ -95,7 +95,7 @@ void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, G
     if (!is_supported_size(spec, target.is_cube()))
         return record_error(ctx, GL_INVALID_VALUE, "the size is not supported");
     if (!is_supported_memory(spec, *format)) throw std::bad_alloc();
-    if (!check_read_framebuffer(ctx)) return;
+    if (!check_readable_framebuffer(ctx)) return;
     if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
     if (format->base == GL_DEPTH_COMPONENT && target.is_cube())
@@ -122,7 +122,7 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     begin_change(ctx, Dirty::kTexture);
     const TexelFormat* const format = target.level(level_number).format;
     if (!format) return record_error(ctx, GL_INVALID_OPERATION, "the level has no image");
-    if (!check_read_framebuffer(ctx)) return;
+    if (!check_readable_framebuffer(ctx)) return;
     if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
     settle_framebuffers(ctx);

@@ -17,6 +17,11 @@ namespace {
 
 using pipeline::bit;
 
+// GL 1.5 §3.2.1: whether fragments have a coverage for each sample.
+bool multisamples(const Context& ctx) {
+    return ctx.rasterization.multisample.enabled && ctx.surface.format.samples > 1;
+}
+
 bool is_dirty(const Context& ctx, Dirty what) {
     return (ctx.dirty & static_cast<unsigned>(what)) != 0;
 }
@@ -104,13 +109,15 @@ void make_raster(const Context& ctx, pipeline::RasterState& out) {
     out.offset_units = static_cast<float>(polygon.offset_units * (1.0 / range) * 2);
     const LineState& line = ctx.rasterization.line;
     out.line_width = std::clamp(line.width, kMinLineWidth, kMaxLineWidth);
-    out.line_smooth = line.smooth;
+    // Multisampling smooths all alike (GL 1.5 §3.3.3, §3.4.4).
+    out.multisample = multisamples(ctx);
+    out.line_smooth = line.smooth && !out.multisample;
     out.line_stipple = line.stipple_enabled && line.stipple_pattern != 0xffff;
     out.line_stipple_factor = line.stipple_factor;
     out.line_stipple_pattern = line.stipple_pattern;
     const PointState& point = ctx.rasterization.point;
     out.point_size = point_size_within(point, point.size);
-    out.point_smooth = point.smooth && !point.sprite;
+    out.point_smooth = point.smooth && !point.sprite && !out.multisample;
     out.point_sprite = point.sprite;
     out.sprite_units = point.sprite ? point.coord_replace : 0;
 }
@@ -330,6 +337,20 @@ void make_tests(const Context& ctx, raster::FragmentState& out) {
     out.alpha_reference = alpha.reference;
 }
 
+// GL 1.5 §4.1.3. Which samples a coverage value keeps is left to us: the first ones, as in the reference.
+void make_multisample(const Context& ctx, raster::FragmentState& out) {
+    out.multisample = multisamples(ctx);
+    if (!out.multisample) return;
+    const MultisampleState& state = ctx.rasterization.multisample;
+    raster::FragmentKey& key = out.key;
+    key.alpha_to_coverage = state.alpha_to_coverage;
+    key.alpha_to_one = state.alpha_to_one;
+    if (!state.coverage) return;
+    const auto kept = static_cast<unsigned>(state.coverage_value * raster::kMaxSamples);
+    const unsigned mask = (1u << kept) - 1;
+    key.sample_mask = static_cast<std::uint8_t>((state.coverage_invert ? ~mask : mask) & 0xf);
+}
+
 void make_blending(const Context& ctx, raster::FragmentState& out) {
     const ColorBufferState& color = ctx.fragment_ops.color;
     const raster::TargetFormat& target = ctx.surface.format;
@@ -415,7 +436,8 @@ bool shows_texel(const raster::FragmentState& state) {
     return !key.interpolated_color && std::all_of(state.constant_color, state.constant_color + 4, is_one) &&
            key.color_format == raster::ColorFormat::kRgba8 && key.color_mask == 0xf &&
            key.blend == raster::BlendKind::kNone && !key.logic_op && !key.separate_specular &&
-           key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways;
+           key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways &&
+           !key.alpha_to_coverage && !key.alpha_to_one;
 }
 
 bool adds_secondary_color(const Context& ctx) {
@@ -497,6 +519,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     auto block = std::make_shared<pipeline::FragmentBlock>();
     raster::FragmentState& state = block->fill;
     make_tests(ctx, state);
+    make_multisample(ctx, state);
     make_blending(ctx, state);
     make_fog(ctx, state);
     raster::FragmentKey& key = state.key;
@@ -542,7 +565,7 @@ bool shows_image(const raster::FragmentState& state) {
     return key.color_format == raster::ColorFormat::kRgba8 && key.color_mask == 0xf &&
            key.blend == raster::BlendKind::kNone && !key.logic_op && !key.separate_specular &&
            key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways &&
-           key.texture == raster::TextureKind::kNone;
+           !key.alpha_to_coverage && !key.alpha_to_one && key.texture == raster::TextureKind::kNone;
 }
 
 }  // namespace
@@ -575,6 +598,7 @@ std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx
     auto block = std::make_shared<pipeline::FragmentBlock>();
     raster::FragmentState& state = block->fill;
     make_tests(ctx, state);
+    make_multisample(ctx, state);
     make_blending(ctx, state);
     make_fog(ctx, state);
     count_samples(ctx, *block);
@@ -624,6 +648,7 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
         static_cast<unsigned>(Dirty::kRasterization) | static_cast<unsigned>(Dirty::kFragment) |
         static_cast<unsigned>(Dirty::kLighting) | static_cast<unsigned>(Dirty::kFramebuffer);
     if (ctx.dirty & kRasterInputs) make_raster(ctx, drawing.state.raster);
+    vertex.snap_origin = drawing.state.raster.multisample ? 0.0f : 0.5f;
     if (is_dirty(ctx, Dirty::kRasterization)) make_point_sizes(ctx.rasterization.point, vertex);
 
     const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill &&

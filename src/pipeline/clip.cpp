@@ -40,8 +40,8 @@ int Clipper::interpolate(float t, int from, int to, int& slot) {
         m_vertices.column(kWindowX + axis)[made] =
             clip[axis] * oow * m_state.viewport_scale[axis] + m_state.viewport_translate[axis];
     m_vertices.column(kWindowOow)[made] = oow;
-    m_vertices.integers(kSnappedX)[made] = snap_even(m_vertices.column(kWindowX)[made]);
-    m_vertices.integers(kSnappedY)[made] = snap_even(m_vertices.column(kWindowY)[made]);
+    m_vertices.integers(kSnappedX)[made] = snap_even(m_vertices.column(kWindowX)[made], m_state.snap_origin);
+    m_vertices.integers(kSnappedY)[made] = snap_even(m_vertices.column(kWindowY)[made], m_state.snap_origin);
     m_vertices.integers(kOutcode)[made] = 0;
     if (m_state.point_attenuated) lerp(kPointSizeColumn);
     for (int column = kFirstVarying; column < m_columns; ++column) lerp(column);

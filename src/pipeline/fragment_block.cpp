@@ -49,6 +49,7 @@ void FragmentBlock::complete(bool smooth_lines, bool smooth_points) {
     for (raster::FragmentState* const state : {&fill, &line, &point}) {
         weigh_errors(*state);
         state->kernel = raster::kernels().select_kernel(state->key);
+        state->sample_kernel = raster::kernels().select_sample_kernel(state->key);
     }
 }
 

@@ -22,11 +22,15 @@ constexpr uintptr_t kClearTag = 1;
 
 // Whether some edge has the whole bin outside: its value at the bin's most favourable pixel is negative.
 bool outside_bin(const Primitive& primitive, int bin_x, int bin_y) {
+    const bool multisample = primitive.state->multisample;
+    // Samples lie up to a pixel from the corner that they are counted from; a step more is for rounding.
+    const int last = multisample ? kBinSize : kBinSize - 1;
     for (int e = 0; e < primitive.edge_count; ++e) {
         const raster::Edge& edge = primitive.edges[e];
-        const int64_t x = bin_x + (edge.step_x > 0 ? kBinSize - 1 : 0);
-        const int64_t y = bin_y + (edge.step_y > 0 ? kBinSize - 1 : 0);
-        if (edge.c + edge.step_x * x + edge.step_y * y < 0) return true;
+        const int64_t x = bin_x + (edge.step_x > 0 ? last : 0);
+        const int64_t y = bin_y + (edge.step_y > 0 ? last : 0);
+        const int64_t c = multisample ? (edge.c >> 8) + 1 : edge.c;
+        if (c + edge.step_x * x + edge.step_y * y < 0) return true;
     }
     return false;
 }
@@ -115,7 +119,8 @@ void Frame::draw_bin(int index) const {
     const FloatEnvironment environment;
     const BinList& list = m_bins[static_cast<size_t>(index)];
     raster::Bin bin = m_target->bin(index);
-    const auto draw = raster::kernels().draw_primitive;
+    const auto draw = m_target->format().samples == 1 ? raster::kernels().draw_primitive
+                                                      : raster::kernels().draw_multisampled;
     for (const Chunk* chunk = list.first; chunk != nullptr; chunk = chunk->next) {
         for (uint32_t i = 0; i < chunk->count; ++i) {
             const uintptr_t command = chunk->commands[i];

@@ -19,6 +19,7 @@ struct TriangleSetup {
     bool cull_unsnapped = false;      // faces also by the window positions before snapping
     bool front_is_clockwise = false;  // in GL's upward y
     bool row0_is_top = true;
+    bool multisample = false;  // edges are stepped to samples, and planes begin at pixels' corners
     bool flat = false;
     bool two_sided = false;
     bool offset = false;

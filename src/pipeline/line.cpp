@@ -1,6 +1,7 @@
 // Set-up of lines (GL 1.5 §3.4.1, §3.4.2): a parallelogram of four edges, `width` pixels across the minor
 // axis, whose ends are moved where the diamond-exit rule asks for a pixel more or less than its own coverage
-// gives. Operation for operation what the reference does (doc/reference.md §3, "Lines").
+// gives. With multisampling (§3.4.4) a rectangle, whose samples need no such rule. Operation for operation
+// what the reference does (doc/reference.md §3, "Lines").
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -45,9 +46,26 @@ bool end_drawn(const LineEnd& e, float dx, float dy, bool zero_counts) {
 
 struct Line {
     int32_t x[4], y[4];  // corners, a positive outline
-    // (first - second), stretched to the length along the major axis, over the squared length.
+    // (first - second), stretched to the length along the major axis but in rectangles, over the squared
+    // length.
     float slope_x, slope_y, one_over_area;
 };
+
+bool make_rectangle(const float (&p)[2], const float (&q)[2], float width, Line& line) {
+    const float dx = p[0] - q[0], dy = p[1] - q[1];
+    const float area = dx * dx + dy * dy;
+    if (area == 0) return false;
+    line.slope_x = dx, line.slope_y = dy;
+    line.one_over_area = 1.0f / area;
+    const float scale = width * 0.5f / std::sqrt(area);
+    const int32_t across_x = snap_away(-dy * scale), across_y = snap_away(dx * scale);
+    const float(*const ends[4])[2] = {&p, &q, &q, &p};
+    for (int i = 0; i < 4; ++i) {
+        line.x[i] = snap_away((*ends[i])[0]) + (i < 2 ? -across_x : across_x);
+        line.y[i] = snap_away((*ends[i])[1]) + (i < 2 ? -across_y : across_y);
+    }
+    return true;
+}
 
 // `p` and `q` are the window positions of the ends.
 bool make_line(const float (&p)[2], const float (&q)[2], float width, Line& line) {
@@ -107,24 +125,23 @@ void PrimitiveSetup::line(int a, int b) {
     const float q[2] = {m_vertices.column(kWindowX)[b], m_vertices.column(kWindowY)[b]};
     for (int i = 0; i < 2; ++i)
         if (!is_window_coordinate(p[i]) || !is_window_coordinate(q[i])) return;
+    const bool multisample = m_state.fragment->line.multisample;
     Line line;
-    if (!make_line(p, q, m_state.raster.line_width, line)) return;
+    if (!(multisample ? make_rectangle : make_line)(p, q, m_state.raster.line_width, line)) return;
 
     const bool row0_is_top = m_state.raster.row0_is_top;
     const auto [low_x, high_x] = std::minmax_element(line.x, line.x + 4);
     const auto [low_y, high_y] = std::minmax_element(line.y, line.y + 4);
-    const Box box{first_centre(*low_x, false), first_centre(*low_y, row0_is_top),
-                  first_centre(*high_x, false), first_centre(*high_y, row0_is_top)};
+    const Box box = multisample ? touched_pixels(*low_x, *low_y, *high_x, *high_y)
+                                : Box{first_centre(*low_x, false), first_centre(*low_y, row0_is_top),
+                                      first_centre(*high_x, false), first_centre(*high_y, row0_is_top)};
     raster::Primitive* const primitive = new_primitive(m_state.fragment->line, box, 4);
     if (primitive == nullptr) return;
-    for (int e = 0; e < 4; ++e) {
-        const int next = (e + 1) & 3;
-        primitive->edges[e] =
-            raster::Edge::between(line.x[e], line.y[e], line.x[next], line.y[next], row0_is_top);
-    }
+    set_edges(*primitive, line.x, line.y);
 
     float* const a0 = primitive->planes();
     float *const dadx = a0 + primitive->plane_count, *const dady = dadx + primitive->plane_count;
+    // Planes begin at pixels' centres with multisampling too: the reference's way.
     const auto plane = [&](int index, float first, float second) {
         const float difference = first - second;
         dadx[index] = difference * line.slope_x * line.one_over_area;

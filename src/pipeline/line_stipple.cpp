@@ -23,7 +23,8 @@ void PrimitiveStages::line(int a, int b, bool restarts) {
 void PrimitiveStages::stippled_line(int a, int b) {
     const float dx = std::fabs(m_vertices.column(kWindowX)[a] - m_vertices.column(kWindowX)[b]);
     const float dy = std::fabs(m_vertices.column(kWindowY)[a] - m_vertices.column(kWindowY)[b]);
-    const float length = m_state.raster.line_smooth ? std::sqrt(dx * dx + dy * dy) : dx > dy ? dx : dy;
+    const bool rectangular = m_state.raster.line_smooth || m_state.raster.multisample;
+    const float length = rectangular ? std::sqrt(dx * dx + dy * dy) : dx > dy ? dx : dy;
     if (!(length < 131072.0f)) return;  // not a number, or more than a viewport can hold
     const auto steps = static_cast<uint32_t>(std::ceil(length));
     const auto factor = static_cast<uint32_t>(m_state.raster.line_stipple_factor);

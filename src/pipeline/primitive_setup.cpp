@@ -17,6 +17,7 @@ TriangleSetup triangle_setup(const DrawState& state) {
     setup.cull_back = r.cull_back;
     setup.front_is_clockwise = r.front_is_clockwise;
     setup.row0_is_top = r.row0_is_top;
+    setup.multisample = state.fragment->fill.multisample;
     setup.flat = r.flat;
     setup.two_sided = state.vertex.lighting.enabled && state.vertex.lighting.two_sided;
     // Enabling any of the offsets is enough where no stage comes in between: the reference's way.
@@ -73,6 +74,14 @@ Primitive* PrimitiveSetup::new_primitive(const raster::FragmentState& state, con
     p->depth_offset = 0;
     p->data = raster::RectangleData::kNone;
     return p;
+}
+
+void PrimitiveSetup::set_edges(Primitive& primitive, const int32_t (&x)[4], const int32_t (&y)[4]) const {
+    for (int e = 0; e < 4; ++e) {
+        const int next = (e + 1) & 3;
+        primitive.edges[e] = raster::Edge::between(x[e], y[e], x[next], y[next], m_state.raster.row0_is_top,
+                                                   primitive.state->multisample);
+    }
 }
 
 }  // namespace terrazzo::pipeline

@@ -55,7 +55,14 @@ class PrimitiveSetup {
 
     float point_size(int v) const;
     void sprite(int v);
-    raster::Primitive* constant_square(int v, const Box& box);
+    raster::Primitive* constant_square(int v, const Box& box, int edge_count);
+
+    // Whatever pixel a rectangle of sub-pixels touches, counted from its corner.
+    static Box touched_pixels(int32_t x0, int32_t y0, int32_t x1, int32_t y1) {
+        return {x0 >> 8, y0 >> 8, (x1 >> 8) + 1, (y1 >> 8) + 1};
+    }
+    // The outline of four corners, a positive one.
+    void set_edges(raster::Primitive& primitive, const int32_t (&x)[4], const int32_t (&y)[4]) const;
 
     // Null where nothing of the box lies within the scissor.
     raster::Primitive* new_primitive(const raster::FragmentState& state, const Box& box, int edge_count);

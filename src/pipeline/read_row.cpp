@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "pipeline/resolve_samples.h"
+
 namespace terrazzo::pipeline {
 namespace {
 
@@ -37,8 +39,9 @@ void copy_bin_row(const Pixel* plane, int x, int row, int count, Pixel* out) {
     std::copy_n(tile_row + (x + i) / kTileSize * kTilePixels, count - i, out + i);
 }
 
-// A rectangle bin by bin: one bin fits the first-level cache, rows of a wide target do not. `plane(bin)`
-// points to the bin's pixels; a row's pixels go `stride` bytes after those of the row before it.
+// A rectangle bin by bin: one bin fits the first-level cache, rows of a wide target do not. `plane(bin, row,
+// rows)` points to the bin's pixels, of which those of some rows are looked at; a row's pixels go `stride`
+// bytes after those of the row before it.
 template <typename Pixel, typename Plane>
 void copy_rect(Target& target, Plane plane, const RowRect& rect, Pixel* out, std::ptrdiff_t stride) {
     for (int row = rect.row; row < rect.row + rect.height;) {
@@ -47,7 +50,7 @@ void copy_rect(Target& target, Plane plane, const RowRect& rect, Pixel* out, std
             const int columns = std::min(rect.x + rect.width - x, kBinSize - x % kBinSize);
             const int index = row / kBinSize * target.bins_across() + x / kBinSize;
             target.materialize(index);
-            const Pixel* pixels = plane(target.bin(index));
+            const Pixel* pixels = plane(target.bin(index), row % kBinSize, rows);
             auto* to = reinterpret_cast<std::byte*>(out + (x - rect.x)) + (row - rect.row) * stride;
             for (int i = 0; i < rows; ++i) {
                 copy_bin_row(pixels, x % kBinSize, row % kBinSize + i, columns,
@@ -65,9 +68,27 @@ void copy_row(Target& target, Plane plane, int x, int row, int count, Pixel* out
 }
 
 template <typename Pixel>
+[[gnu::noinline]] void copy_resolved(Target& target, const RowRect& rect, Pixel* out, std::ptrdiff_t stride) {
+    ResolvedPixels pixels;
+    const auto plane = [&](const Bin& bin, int row, int rows) {
+        const int first = row / kTileSize, last = (row + rows - 1) / kTileSize;
+        resolve_samples(bin, target.format().color, first * raster::kTilesAcross,
+                        (last - first + 1) * raster::kTilesAcross, pixels);
+        return reinterpret_cast<const Pixel*>(pixels.bytes);
+    };
+    copy_rect(target, plane, rect, out, stride);
+}
+
+template <typename Pixel>
+void copy_colors(Target& target, const RowRect& rect, Pixel* out, std::ptrdiff_t stride) {
+    if (target.format().samples > 1) return copy_resolved(target, rect, out, stride);
+    const auto plane = [](const Bin& bin, int, int) { return reinterpret_cast<const Pixel*>(bin.color); };
+    copy_rect(target, plane, rect, out, stride);
+}
+
+template <typename Pixel>
 void copy_color(Target& target, int x, int row, int count, Pixel* out) {
-    const auto plane = [](const Bin& bin) { return reinterpret_cast<const Pixel*>(bin.color); };
-    copy_row(target, plane, x, row, count, out);
+    copy_colors(target, {x, row, count, 1}, out, 0);
 }
 
 // Wide pixels need room: rows are read in pieces of this many.
@@ -116,6 +137,18 @@ void read_widened(Target& target, int x, int row, int count, float* rgba) {
     }
 }
 
+// Means of samples, which have their fractions.
+void read_means(Target& target, int x, int row, int count, float* rgba) {
+    for (int i = 0; i < count; ++i, rgba += 4) {
+        const int index = row / kBinSize * target.bins_across() + (x + i) / kBinSize;
+        target.materialize(index);
+        float mean[4];
+        mean_of_samples(target.bin(index), target.format().color,
+                        raster::pixel_index((x + i) % kBinSize, row % kBinSize), mean);
+        std::copy_n(mean, 4, rgba);
+    }
+}
+
 template <typename T>
 void set_alpha(T* rgba, int count, T one) {
     for (int i = 0; i < count; ++i) rgba[4 * i + 3] = one;
@@ -138,11 +171,15 @@ void read_color_rgba8(Target& target, int x, int row, int count, uint8_t* rgba) 
 }
 
 void read_rgba8_rect(Target& target, const RowRect& rect, uint8_t* rgba, std::ptrdiff_t stride) {
-    const auto plane = [](const Bin& bin) { return reinterpret_cast<const Rgba8*>(bin.color); };
-    copy_rect(target, plane, rect, reinterpret_cast<Rgba8*>(rgba), stride);
+    copy_colors(target, rect, reinterpret_cast<Rgba8*>(rgba), stride);
 }
 
 void read_color_float(Target& target, int x, int row, int count, float* rgba) {
+    if (target.format().samples > 1) {
+        read_means(target, x, row, count, rgba);
+        if (!target.format().has_alpha) set_alpha(rgba, count, 1.0f);
+        return;
+    }
     switch (target.format().color) {
         case ColorFormat::kRgba8:
             read_widened<uint32_t>(target, x, row, count, rgba);
@@ -162,12 +199,12 @@ void read_color_float(Target& target, int x, int row, int count, float* rgba) {
 
 void read_depth(Target& target, int x, int row, int count, uint32_t* depths) {
     copy_row(
-        target, [](const Bin& bin) { return bin.depth; }, x, row, count, depths);
+        target, [](const Bin& bin, int, int) { return bin.depth; }, x, row, count, depths);
 }
 
 void read_stencil(Target& target, int x, int row, int count, uint8_t* stencils) {
     copy_row(
-        target, [](const Bin& bin) { return bin.stencil; }, x, row, count, stencils);
+        target, [](const Bin& bin, int, int) { return bin.stencil; }, x, row, count, stencils);
 }
 
 }  // namespace terrazzo::pipeline

@@ -1,7 +1,8 @@
 // Rows of pixels out of a render target, in the forms that read-backs and copies start from.
 //
 // What is queued must have been drawn. (x, row) is in the target's own coordinates, row 0 the first in
-// memory, and `count` pixels from there on lie within the target. Planes that are asked for must exist.
+// memory, and `count` pixels from there on lie within the target. Planes that are asked for must exist. Of a
+// multisampled target a pixel's colour is the mean of its samples, depth and stencil are the first one's.
 #pragma once
 
 #include <cstddef>

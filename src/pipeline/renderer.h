@@ -25,6 +25,7 @@ enum class FillMode : uint8_t { kFill, kLine, kPoint };
 struct RasterState {
     int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // scissor within the target, in raster rows; x1 and y1 exclusive
     bool row0_is_top = true;
+    bool multisample = false;  // as FragmentState's
     bool flat = false;
     bool cull_front = false, cull_back = false;
     bool front_is_clockwise = false;
@@ -82,7 +83,8 @@ class Renderer {
     void set_target(std::shared_ptr<raster::Target> target);
     const std::shared_ptr<raster::Target>& target() const { return m_frame.target(); }
 
-    // Whether draws and clears from now on go to both colour buffers of the target; queued ones are finished first.
+    // Whether draws and clears from now on go to both colour buffers of the target; queued ones are finished
+    // first.
     void draw_to_both_colors(bool both);
 
     // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "pipeline/resolve_samples.h"
 #include "raster/color_format.h"
 
 namespace terrazzo::pipeline {
@@ -46,7 +47,9 @@ struct Words {
 };
 
 // Of one pixel, or a vector of them.
-constexpr auto rgba_to_bgra = [](auto p) { return (p & 0xff00ff00u) | (p & 0xffu) << 16 | (p >> 16 & 0xffu); };
+constexpr auto rgba_to_bgra = [](auto p) {
+    return (p & 0xff00ff00u) | (p & 0xffu) << 16 | (p >> 16 & 0xffu);
+};
 constexpr auto rgba_to_argb = [](auto p) { return p << 8 | p >> 24; };
 
 // Whole pixels, or their first bytes: red, green and blue without alpha.
@@ -100,7 +103,8 @@ void copy_tiles(const Bin& bin, const Rows& rows) {
     for (int y = 0; y < rows.height; ++y) {
         std::byte* const out = rows.first + y * rows.stride;
         for (int x = 0; x < whole_width; x += kTileSize)
-            Layout::store(bin, raster::pixel_index(x, y), kTileSize, out + std::ptrdiff_t{x} * Layout::kPixelBytes);
+            Layout::store(bin, raster::pixel_index(x, y), kTileSize,
+                          out + std::ptrdiff_t{x} * Layout::kPixelBytes);
         if (whole_width < rows.width) {
             Layout::store(bin, raster::pixel_index(whole_width, y), rows.width - whole_width,
                           out + std::ptrdiff_t{whole_width} * Layout::kPixelBytes);
@@ -125,6 +129,14 @@ void copy_clear_color(const Target& target, const Bin& bin, const Rows& rows) {
 }
 
 template <class Layout>
+[[gnu::noinline]] void copy_resolved_tiles(const Target& target, Bin bin, const Rows& rows) {
+    ResolvedPixels pixels;
+    resolve_samples(bin, target.format().color, 0, raster::kBinTiles, pixels);
+    bin.color = pixels.bytes;
+    copy_tiles<Layout>(bin, rows);
+}
+
+template <class Layout>
 void copy_bin(Target& target, int index, std::byte* row0, std::ptrdiff_t stride) {
     constexpr bool kIsColor = !std::is_same_v<Layout, Depth16> && !std::is_same_v<Layout, Depth24Stencil8>;
     if (!kIsColor) target.materialize(index);
@@ -133,6 +145,8 @@ void copy_bin(Target& target, int index, std::byte* row0, std::ptrdiff_t stride)
                     std::min(kBinSize, target.width() - bin.x), std::min(kBinSize, target.height() - bin.y)};
     if (kIsColor && bin.state->pending.color) {
         copy_clear_color<Layout>(target, bin, rows);
+    } else if (kIsColor && target.format().samples > 1) {
+        copy_resolved_tiles<Layout>(target, bin, rows);
     } else {
         copy_tiles<Layout>(bin, rows);
     }

@@ -30,7 +30,7 @@ TERRAZZO_INLINE Corners corners(const float* column, const CornerIndices& i) {
 
 struct PlaneBasis {
     F32x16 dx01, dy01, dx20, dy20;  // divided by twice the signed area
-    F32x16 cx, cy;                  // vertex 0 relative to the first pixel's centre
+    F32x16 cx, cy;                  // vertex 0 relative to the first pixel's centre, or its corner
 };
 
 struct PlaneArrays {
@@ -127,8 +127,8 @@ TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTr
     primitive->depth_offset = t.offset[lane];
     for (int e = 0; e < 3; ++e) {
         const int next = e == 2 ? 0 : e + 1;
-        primitive->edges[e] =
-            Edge::between(t.x[e][lane], t.y[e][lane], t.x[next][lane], t.y[next][lane], setup.row0_is_top);
+        primitive->edges[e] = Edge::between(t.x[e][lane], t.y[e][lane], t.x[next][lane], t.y[next][lane],
+                                            setup.row0_is_top, setup.multisample);
     }
     float* out = primitive->planes();
     for (int part = 0; part < 3; ++part)
@@ -200,8 +200,8 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
 
     const Corners x = corners(vertices.column(kWindowX), index),
                   y = corners(vertices.column(kWindowY), index);
-    PlaneBasis basis{x.v0 - x.v1, y.v0 - y.v1,         x.v2 - x.v0,
-                     y.v2 - y.v0, x.v0 - F32x16(0.5f), y.v0 - F32x16(0.5f)};
+    const F32x16 origin(setup.multisample ? 0.0f : 0.5f);
+    PlaneBasis basis{x.v0 - x.v1, y.v0 - y.v1, x.v2 - x.v0, y.v2 - y.v0, x.v0 - origin, y.v0 - origin};
     const F32x16 ooa = F32x16(1.0f) / (basis.dx01 * basis.dy20 - basis.dy01 * basis.dx20);
     const Corners z = corners(vertices.column(kWindowZ), index);
     store(setup.offset ? depth_offset(setup, basis, ooa, z) : F32x16(0.0f), t.offset);

@@ -39,7 +39,7 @@ int SmoothShapes::corner(int slot, int from, float dx, float dy, const float (&c
     const auto move = [&](Column window, Column snapped, float by) {
         float& position = m_vertices.column(window)[slot];
         position += by;
-        m_vertices.integers(snapped)[slot] = snap_even(position);
+        m_vertices.integers(snapped)[slot] = snap_even(position, m_state.vertex.snap_origin);
     };
     move(kWindowX, kSnappedX, dx);
     move(kWindowY, kSnappedY, dy);

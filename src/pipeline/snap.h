@@ -12,11 +12,11 @@ inline bool is_window_coordinate(float v) {
     return std::fabs(v) <= 65536.0f;
 }
 
-// Triangles: pixel centres lie at multiples of 256, halves go to even. Coordinates that no window has go to a
-// far end.
-inline int32_t snap_even(float window) {
+// Triangles: pixel centres, or corners where the origin is 0, lie at multiples of 256, halves go to even.
+// Coordinates that no window has go to a far end.
+inline int32_t snap_even(float window, float origin) {
     constexpr float kLimit = 16777216.0f;
-    const float scaled = (window - 0.5f) * 256.0f;
+    const float scaled = (window - origin) * 256.0f;
     return scaled > -kLimit ? static_cast<int32_t>(std::lrintf(scaled < kLimit ? scaled : kLimit))
                             : static_cast<int32_t>(-kLimit);
 }

@@ -33,10 +33,10 @@ I32x16 outcode(const VertexState& state, const Wide4& clip) {
     return code;
 }
 
-I32x16 snap(F32x16 window) {
+I32x16 snap(F32x16 window, float origin) {
     // No window reaches that far (snap.h): what is not a number, or divided by zero, goes there.
     const F32x16 limit(16777216.0f);
-    return round_to_int(clamp((window - F32x16(0.5f)) * F32x16(256.0f), -limit, limit));
+    return round_to_int(clamp((window - F32x16(origin)) * F32x16(256.0f), -limit, limit));
 }
 
 void store_position(const VertexState& state, const Wide4& clip, ShadedVertices& out, int at) {
@@ -54,8 +54,8 @@ void store_position(const VertexState& state, const Wide4& clip, ShadedVertices&
     store(y, out.column(kWindowY) + at);
     store(z, out.column(kWindowZ) + at);
     store(oow, out.column(kWindowOow) + at);
-    store(snap(x), out.integers(kSnappedX) + at);
-    store(snap(y), out.integers(kSnappedY) + at);
+    store(snap(x, state.snap_origin), out.integers(kSnappedX) + at);
+    store(snap(y, state.snap_origin), out.integers(kSnappedY) + at);
     store(outcode(state, clip), out.integers(kOutcode) + at);
 }
 

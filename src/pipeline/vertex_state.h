@@ -79,6 +79,7 @@ struct VertexState {
     bool affine = false;           // the last row of mvp is 0 0 0 1
     float viewport_scale[3], viewport_translate[3];
     bool zero_to_one = false;                   // the near plane is at clip z = 0, not at -w
+    float snap_origin = 0.5f;  // what in a pixel sub-pixels are counted from: its centre, or 0 for its corner
     uint32_t clip_plane_mask = 0;               // bit p: plane p is enabled
     float clip_planes[kMaxClipPlanes][4] = {};  // in clip coordinates
     NormalScaling normal_scaling = NormalScaling::kNone;

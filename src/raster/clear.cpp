@@ -101,15 +101,18 @@ void clear_bin(const BinClear& clear, Target& target, int index) {
     target.materialize(index);
     const BinRect rect{std::max(clear.x0 - bin.x, 0), std::max(clear.y0 - bin.y, 0),
                        std::min(clear.x1 - bin.x, kBinSize), std::min(clear.y1 - bin.y, kBinSize)};
-    if (clear.planes.color) clear_color(clear, target.format().color, rect, bin.color);
-    if (clear.planes.depth && bin.depth) {
-        const PixelBits<uint32_t, 1> bits{{clear.values.depth}, {~0u}};
-        clear_plane(bits, rect, bin.depth);
-    }
-    if (clear.planes.stencil && bin.stencil) {
-        const PixelBits<uint8_t, 1> bits{{static_cast<uint8_t>(clear.values.stencil & clear.stencil_mask)},
-                                         {clear.stencil_mask}};
-        clear_plane(bits, rect, bin.stencil);
+    for (int sample = 0; sample < target.format().samples; ++sample) {
+        const Bin planes = planes_of_sample(bin, sample, target.format().color);
+        if (clear.planes.color) clear_color(clear, target.format().color, rect, planes.color);
+        if (clear.planes.depth && bin.depth) {
+            const PixelBits<uint32_t, 1> bits{{clear.values.depth}, {~0u}};
+            clear_plane(bits, rect, planes.depth);
+        }
+        if (clear.planes.stencil && bin.stencil) {
+            const PixelBits<uint8_t, 1> bits{
+                {static_cast<uint8_t>(clear.values.stencil & clear.stencil_mask)}, {clear.stencil_mask}};
+            clear_plane(bits, rect, planes.stencil);
+        }
     }
     if (clear.planes.depth) target.forget_farthest(index);
 }

@@ -61,6 +61,32 @@ inline void encode_color(ColorFormat format, const float color[4], std::byte* ou
     }
 }
 
+inline void decode_color(ColorFormat format, const std::byte* pixel, float (&color)[4]) {
+    switch (format) {
+        case ColorFormat::kRgba8:
+            for (int c = 0; c < 4; ++c) color[c] = static_cast<float>(pixel[c]) * (1.0f / 255.0f);
+            return;
+        case ColorFormat::kRgb565: {
+            uint16_t p;
+            std::memcpy(&p, pixel, sizeof p);
+            color[0] = static_cast<float>(p >> 11) * (1.0f / 31.0f);
+            color[1] = static_cast<float>(p >> 5 & 63) * (1.0f / 63.0f);
+            color[2] = static_cast<float>(p & 31) * (1.0f / 31.0f);
+            color[3] = 1;
+            return;
+        }
+        case ColorFormat::kRgba16: {
+            uint16_t channels[4];
+            std::memcpy(channels, pixel, sizeof channels);
+            for (int c = 0; c < 4; ++c) color[c] = static_cast<float>(channels[c]) * (1.0f / 65535.0f);
+            return;
+        }
+        case ColorFormat::kRgba32F:
+            std::memcpy(color, pixel, sizeof color);
+            return;
+    }
+}
+
 // Fills `count` pixels, a multiple of 16 of them at a 64-byte boundary.
 inline void fill_color(ColorFormat format, const float color[4], std::byte* out, size_t count) {
     std::byte pixel[16];

@@ -1,5 +1,5 @@
 // Half-space traversal of one bin [Pineda 1988; Frolov 2020 §2.2, rows ]: which tiles a primitive
-// touches, and which of their pixels.
+// touches, and which of their pixels, or of the samples of their pixels.
 //
 // A row of the bin's tiles is tested at once, one lane a tile: an edge function at the tile's most favourable
 // corner rejects it, at its least favourable corner accepts it. What remains is tested pixel by pixel, again
@@ -14,15 +14,18 @@
 
 namespace terrazzo::raster {
 
-// The tiles of one bin that a primitive covers, each with one bit a pixel.
-struct TileList {
+// The tiles of one bin that a primitive covers, each with one bit a pixel for each of its samples.
+template <int kSamples>
+struct CoveredTiles {
     struct Entry {
-        uint16_t tile;  // 0 to 255, row by row
-        uint16_t mask;  // bit 4*y + x, never 0
+        uint16_t tile;             // 0 to 255, row by row
+        uint16_t masks[kSamples];  // bit 4*y + x, never all 0
     };
     int count = 0;
     Entry entries[kBinTiles];
 };
+struct TileList : CoveredTiles<1> {};
+struct SampleList : CoveredTiles<kMaxSamples> {};
 
 }  // namespace terrazzo::raster
 
@@ -31,8 +34,9 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 using namespace raster;
 
 // An edge relative to a bin.
+template <int kSamples>
 struct BinEdge {
-    int32_t at_row;  // value at the first pixel of the current tile row
+    int32_t at_row[kSamples];  // value at the first pixel of the current tile row
     int32_t step_x, step_y;
     int32_t best, worst;  // what the most and the least favourable pixel of a tile add to its first pixel
 };
@@ -46,13 +50,25 @@ TERRAZZO_INLINE int32_t edge_at(const Edge& edge, int x, int y) {
     return static_cast<int32_t>(std::clamp(value, -kEdgeLimit, kEdgeLimit));
 }
 
-TERRAZZO_INLINE BinEdge edge_in_bin(const Edge& edge, int bin_x, int bin_y, int first_row) {
-    BinEdge e;
-    e.at_row = edge_at(edge, bin_x, bin_y + first_row * kTileSize);
+// The same at one of a pixel's samples; the only one is at the pixel's centre.
+template <int kSamples>
+TERRAZZO_INLINE int32_t edge_at_sample(const Edge& edge, int sample, int x, int y) {
+    if constexpr (kSamples == 1) return edge_at(edge, x, y);
+    const SamplePosition at = kSamplePositions[sample];
+    const int64_t c = edge.c + int64_t{edge.step_x} * at.x + int64_t{edge.step_y} * at.y;
+    return edge_at({c >> 8, edge.step_x, edge.step_y}, x, y);
+}
+
+template <int kSamples>
+TERRAZZO_INLINE BinEdge<kSamples> edge_in_bin(const Edge& edge, int x, int y) {
+    BinEdge<kSamples> e;
+    for (int s = 0; s < kSamples; ++s) e.at_row[s] = edge_at_sample<kSamples>(edge, s, x, y);
+    int32_t low = e.at_row[0], high = e.at_row[0];
+    for (const int32_t value : e.at_row) low = std::min(low, value), high = std::max(high, value);
     e.step_x = edge.step_x;
     e.step_y = edge.step_y;
-    e.best = 3 * (std::max(edge.step_x, 0) + std::max(edge.step_y, 0));
-    e.worst = 3 * (std::min(edge.step_x, 0) + std::min(edge.step_y, 0));
+    e.best = high - e.at_row[0] + 3 * (std::max(edge.step_x, 0) + std::max(edge.step_y, 0));
+    e.worst = low - e.at_row[0] + 3 * (std::min(edge.step_x, 0) + std::min(edge.step_y, 0));
     return e;
 }
 
@@ -100,33 +116,39 @@ TERRAZZO_INLINE I32x16 pixel_steps(const Edge& edge) {
 inline constexpr int kFewTiles = 2;
 // What a few more are spared by bounds is less than the bounds cost.
 inline constexpr int kTilesWithoutBounds = 8;
-template <int kEdges>
+template <int kEdges, int kSamples>
 TERRAZZO_INLINE void cover_few_tiles(const Primitive& primitive, const Bin& bin, const TileRect& rect,
-                                     TileList& list) {
+                                     CoveredTiles<kSamples>& list) {
     const int x = bin.x + rect.first_column * kTileSize, y = bin.y + rect.first_row * kTileSize;
-    int32_t first[kEdges];
+    int32_t first[kEdges][kSamples];
     I32x16 in_tile[kEdges];
     for (int e = 0; e < kEdges; ++e) {
-        first[e] = edge_at(primitive.edges[e], x, y);
+        for (int s = 0; s < kSamples; ++s)
+            first[e][s] = edge_at_sample<kSamples>(primitive.edges[e], s, x, y);
         in_tile[e] = pixel_steps(primitive.edges[e]);
     }
     for (int row = rect.first_row; row <= rect.last_row; ++row) {
         const uint32_t rows = rect.pixels_of_row(row);
         for (int column = rect.first_column; column <= rect.last_column; ++column) {
-            I32x16 outside(0);
-            for (int e = 0; e < kEdges; ++e) {
-                const Edge& edge = primitive.edges[e];
-                outside =
-                    outside |
-                    (in_tile[e] + I32x16(first[e] + kTileSize * ((column - rect.first_column) * edge.step_x +
-                                                                 (row - rect.first_row) * edge.step_y)));
+            uint32_t inside = rows;
+            if (column == rect.first_column) inside &= rect.left;
+            if (column == rect.last_column) inside &= rect.right;
+            uint32_t any = 0;
+            auto& entry = list.entries[list.count];
+            entry.tile = static_cast<uint16_t>(row * kTilesAcross + column);
+            for (int s = 0; s < kSamples; ++s) {
+                I32x16 outside(0);
+                for (int e = 0; e < kEdges; ++e) {
+                    const Edge& edge = primitive.edges[e];
+                    const int32_t steps = kTileSize * ((column - rect.first_column) * edge.step_x +
+                                                       (row - rect.first_row) * edge.step_y);
+                    outside = outside | (in_tile[e] + I32x16(first[e][s] + steps));
+                }
+                const uint32_t mask = inside & ~sign_bits(outside);
+                entry.masks[s] = static_cast<uint16_t>(mask);
+                any |= mask;
             }
-            uint32_t mask = rows & ~sign_bits(outside);
-            if (column == rect.first_column) mask &= rect.left;
-            if (column == rect.last_column) mask &= rect.right;
-            list.entries[list.count] = {static_cast<uint16_t>(row * kTilesAcross + column),
-                                        static_cast<uint16_t>(mask)};
-            list.count += mask != 0;
+            list.count += any != 0;
         }
     }
 }
@@ -137,15 +159,15 @@ struct NoBlockDepths {
 };
 
 // Whether any tile was left out because it is hidden.
-template <int kEdges, class Depths>
+template <int kEdges, int kSamples, class Depths>
 TERRAZZO_INLINE bool cover_rows(const Primitive& primitive, const Bin& bin, const TileRect& rect,
-                                Depths& depths, TileList& list) {
+                                Depths& depths, CoveredTiles<kSamples>& list) {
     constexpr int kArray = kEdges == 0 ? 1 : kEdges;
-    BinEdge edges[kArray];
+    BinEdge<kSamples> edges[kArray];
     I32x16 in_tile[kArray];    // what each pixel adds to its tile's first
     I32x16 along_row[kArray];  // what each tile adds to the row's first
     for (int e = 0; e < kEdges; ++e) {
-        edges[e] = edge_in_bin(primitive.edges[e], bin.x, bin.y, rect.first_row);
+        edges[e] = edge_in_bin<kSamples>(primitive.edges[e], bin.x, bin.y + rect.first_row * kTileSize);
         along_row[e] = lane_numbers() * I32x16(edges[e].step_x * kTileSize);
         in_tile[e] = pixel_steps(primitive.edges[e]);
     }
@@ -156,7 +178,7 @@ TERRAZZO_INLINE bool cover_rows(const Primitive& primitive, const Bin& bin, cons
         if constexpr (kEdges != 0) {
             I32x16 rejects(0), accepts(0);
             for (int e = 0; e < kEdges; ++e) {
-                const I32x16 value = along_row[e] + I32x16(edges[e].at_row);
+                const I32x16 value = along_row[e] + I32x16(edges[e].at_row[0]);
                 rejects = rejects | (value + I32x16(edges[e].best));
                 accepts = accepts | (value + I32x16(edges[e].worst));
             }
@@ -174,24 +196,36 @@ TERRAZZO_INLINE bool cover_rows(const Primitive& primitive, const Bin& bin, cons
             uint32_t mask = rows;
             if (column == rect.first_column) mask &= rect.left;
             if (column == rect.last_column) mask &= rect.right;
-            if (partial >> column & 1) {
-                I32x16 outside(0);
-                for (int e = 0; e < kEdges; ++e)
-                    outside = outside |
-                              (in_tile[e] + I32x16(edges[e].at_row + column * kTileSize * edges[e].step_x));
-                mask &= ~sign_bits(outside);
+            auto& entry = list.entries[list.count];
+            entry.tile = static_cast<uint16_t>(row * kTilesAcross + column);
+            uint32_t any = 0;
+            for (int s = 0; s < kSamples; ++s) {
+                uint32_t inside = mask;
+                if (partial >> column & 1) {
+                    I32x16 outside(0);
+                    for (int e = 0; e < kEdges; ++e)
+                        outside =
+                            outside |
+                            (in_tile[e] + I32x16(edges[e].at_row[s] + column * kTileSize * edges[e].step_x));
+                    inside &= ~sign_bits(outside);
+                }
+                entry.masks[s] = static_cast<uint16_t>(inside);
+                any |= inside;
             }
-            if (mask == 0) continue;
-            list.entries[list.count++] = {static_cast<uint16_t>(row * kTilesAcross + column),
-                                          static_cast<uint16_t>(mask)};
+            list.count += any != 0;
         }
-        for (int e = 0; e < kEdges; ++e) edges[e].at_row += kTileSize * edges[e].step_y;
+        for (int e = 0; e < kEdges; ++e)
+            for (int32_t& value : edges[e].at_row) value += kTileSize * edges[e].step_y;
     }
     return any_hidden != 0;
 }
 
-template <int kEdges>
-TERRAZZO_INLINE void cover_bin(const Primitive& primitive, Bin& bin, TileList& list) {
+// How far a tile's fragments lie apart, its only or all samples'.
+template <int kSamples>
+inline constexpr float kTileExtent = kSamples == 1 ? kTileSize - 1 : kTileSize;
+
+template <int kEdges, int kSamples>
+TERRAZZO_INLINE void cover_bin(const Primitive& primitive, Bin& bin, CoveredTiles<kSamples>& list) {
     const int x0 = std::max<int>(primitive.x0 - bin.x, 0), x1 = std::min<int>(primitive.x1 - bin.x, kBinSize);
     const int y0 = std::max<int>(primitive.y0 - bin.y, 0), y1 = std::min<int>(primitive.y1 - bin.y, kBinSize);
     list.count = 0;
@@ -207,7 +241,7 @@ TERRAZZO_INLINE void cover_bin(const Primitive& primitive, Bin& bin, TileList& l
         cover_rows<kEdges>(primitive, bin, rect, none, list);
         return;
     }
-    BlockDepths depths(primitive, bin);
+    BlockDepths depths(primitive, bin, kTileExtent<kSamples>);
     if (depths.behind(bin.state->farthest, rect.first_column, rect.last_column, rect.first_row,
                       rect.last_row))
         return;

@@ -30,7 +30,8 @@ TERRAZZO_INLINE bool discards_hidden(const FragmentKey& key) {
 // Whether each fragment of such a state leaves its pixel's depth at most its own.
 TERRAZZO_INLINE bool hides_what_follows(const FragmentKey& key) {
     return key.depth_write && key.alpha_func == Compare::kAlways && !key.polygon_stipple &&
-           key.coverage == Coverage::kNone && key.image != PixelImage::kDepth;
+           key.coverage == Coverage::kNone && key.sample_mask == 0xf && !key.alpha_to_coverage &&
+           key.image != PixelImage::kDepth;
 }
 // Whether a fragment may leave a depth that is farther than the one before.
 TERRAZZO_INLINE bool raises_depth(const FragmentKey& key) {
@@ -40,10 +41,13 @@ TERRAZZO_INLINE bool raises_depth(const FragmentKey& key) {
 // One primitive's depths against a bin's bounds.
 class BlockDepths {
   public:
-    TERRAZZO_INLINE BlockDepths(const Primitive& primitive, const Bin& bin)
+    // Fragments of a tile lie up to `extent` pixels right of and below the first.
+    TERRAZZO_INLINE BlockDepths(const Primitive& primitive, const Bin& bin, float extent)
         : m_dadx(primitive.dadx()[0]), m_dady(primitive.dady()[0]), m_bounds(bin.farthest) {
         const FragmentKey& key = primitive.state->key;
-        m_lowers = hides_what_follows(key) && primitive.data != RectangleData::kMasks;
+        // Where the first sample decides for all of a pixel's, the others may stay farther away.
+        const bool all_tested = bin.depth_alike == nullptr || primitive.state->multisample;
+        m_lowers = all_tested && hides_what_follows(key) && primitive.data != RectangleData::kMasks;
         const float a0 = primitive.a0()[0], offset = key.depth_offset ? primitive.depth_offset : 0.0f;
         const float x = static_cast<float>(bin.x), y = static_cast<float>(bin.y);
         // Eight times what the sums here and the fragments' own can err, and two steps of the buffer for its
@@ -52,9 +56,8 @@ class BlockDepths {
                             __builtin_fabsf(m_dady) * (y + kBinSize) + __builtin_fabsf(offset);
         const float slack = terms * 0x1p-19f + 2.0f / depth_maximum(primitive.state->depth_bits);
         const float first = a0 + m_dadx * x + m_dady * y + offset;
-        constexpr float kLast = kTileSize - 1;
-        m_nearest = first + kLast * (std::min(m_dadx, 0.0f) + std::min(m_dady, 0.0f)) - slack;
-        m_farthest = first + kLast * (std::max(m_dadx, 0.0f) + std::max(m_dady, 0.0f)) + slack;
+        m_nearest = first + extent * (std::min(m_dadx, 0.0f) + std::min(m_dady, 0.0f)) - slack;
+        m_farthest = first + extent * (std::max(m_dadx, 0.0f) + std::max(m_dady, 0.0f)) + slack;
         m_along = to_float(lane_numbers()) * F32x16(m_dadx * kTileSize);
     }
 

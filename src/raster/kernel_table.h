@@ -26,6 +26,11 @@ struct KernelTable {
     TileKernel (*select_kernel)(const FragmentKey&);
     // Draws one primitive into one bin, whose planes are materialised.
     void (*draw_primitive)(const Primitive&, Bin&);
+    // The same for a bin of a multisampled target.
+    SampleKernel (*select_sample_kernel)(const FragmentKey&);
+    void (*draw_multisampled)(const Primitive&, Bin&);
+    // The mean of each pixel's samples: tiles of a bin's planes to one of a single sample.
+    void (*resolve_rgba8)(const uint32_t* samples, const uint8_t* alike, int tile_count, uint32_t* to);
     // Stores `value` in `count` words, a multiple of 16, from a 64-byte boundary on.
     void (*fill)(uint32_t* to, uint32_t value, size_t count);
 };

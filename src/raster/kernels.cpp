@@ -1,6 +1,6 @@
 // The pixel kernels of one instruction set: the general one, the specialised ones, and the choice among them.
 #include "raster/kernel_table.h"
-#include "raster/pixel/shade.h"
+#include "raster/pixel/shade_samples.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
@@ -18,8 +18,27 @@ void stencil_image_kernel(const FragmentState& state, const Primitive& primitive
         const I32x16 old = load_bytes(stencil);
         const I32x16 value =
             (load_bytes(at.image_tile<uint8_t, 16>(primitive)) & writable) | (old & (writable ^ I32x16(255)));
-        store_bytes(select(mask_from_bits(list.entries[i].mask), value, old), stencil);
+        store_bytes(select(mask_from_bits(list.entries[i].masks[0]), value, old), stencil);
     }
+}
+
+// The same on a multisampled target: all samples of a pixel get it.
+void stencil_image_sample_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin,
+                                 const SampleList& list) {
+    TileList tiles;
+    for (; tiles.count < list.count; ++tiles.count) {
+        const SampleList::Entry& entry = list.entries[tiles.count];
+        tiles.entries[tiles.count] = {entry.tile, {entry.masks[0]}};
+    }
+    for (int s = 0; s < kMaxSamples; ++s) {
+        Bin planes = planes_of_sample(bin, s, state.key.color_format);
+        stencil_image_kernel(state, primitive, planes, tiles);
+    }
+}
+
+void general_sample_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin,
+                           const SampleList& list) {
+    shade_samples(RuntimeKey{state.key}, state, primitive, bin, list);
 }
 
 void general_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin, const TileList& list) {
@@ -50,16 +69,29 @@ constexpr FragmentKey counting(FragmentKey key) {
     return key;
 }
 
+template <FragmentKey kKey>
+void specialised_sample_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin,
+                               const SampleList& list) {
+    shade_samples(ConstantKey<kKey>{}, state, primitive, bin, list);
+}
+
 // Of each two kernels: who counts samples wants to know how long drawing takes without counting, or draws
 // large parts of a scene that way.
 struct Specialised {
     FragmentKey key;
     TileKernel kernel, counting_kernel;
+    SampleKernel sample_kernel = general_sample_kernel;
 };
 
 template <FragmentKey kKey>
 constexpr Specialised specialise() {
     return {kKey, specialised_kernel<kKey>, specialised_kernel<counting(kKey)>};
+}
+// For multisampled targets as well: what models and plain shapes are drawn with.
+template <FragmentKey kKey>
+constexpr Specialised specialise_both() {
+    return {kKey, specialised_kernel<kKey>, specialised_kernel<counting(kKey)>,
+            specialised_sample_kernel<kKey>};
 }
 
 // One colour a primitive, each another: glShadeModel(GL_FLAT).
@@ -81,22 +113,22 @@ constexpr auto kBilinear = TextureKind::kModulateBilinearRgba8;
 // scalar build has the general kernel alone: it is there to be compared with, and one lane at a time is slow
 // in any case.
 constexpr Specialised kSpecialised[] = {
-    specialise<hot_key(false, Compare::kLess, false, true, TextureKind::kNone)>(),
+    specialise_both<hot_key(false, Compare::kLess, false, true, TextureKind::kNone)>(),
     specialise<hot_key(false, Compare::kLess, false, false, TextureKind::kNone)>(),
-    specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
-    specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone)>(),
-    specialise<hot_key(true, Compare::kLess, true, false, TextureKind::kNone)>(),
+    specialise_both<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
+    specialise_both<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone)>(),
+    specialise_both<hot_key(true, Compare::kLess, true, false, TextureKind::kNone)>(),
     specialise<flat_key(Compare::kLess, true)>(),
     specialise<flat_key(Compare::kLessEqual, true)>(),
-    specialise<hot_key(true, Compare::kLess, true, false, TextureKind::kBilinearRgba8)>(),
+    specialise_both<hot_key(true, Compare::kLess, true, false, TextureKind::kBilinearRgba8)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, false, TextureKind::kBilinearRgba8)>(),
     specialise<hot_key(true, Compare::kLess, true, false, kBilinear)>(),
     specialise<hot_key(true, Compare::kLessEqual, true, false, kBilinear)>(),
-    specialise<hot_key(true, Compare::kLess, true, true, kBilinear)>(),
-    specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear)>(),
+    specialise_both<hot_key(true, Compare::kLess, true, true, kBilinear)>(),
+    specialise_both<hot_key(true, Compare::kLessEqual, true, true, kBilinear)>(),
     // Lit models with textures of any kind, mip-mapped ones above all.
-    specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kGeneral)>(),
-    specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kGeneral)>(),
+    specialise_both<hot_key(true, Compare::kLess, true, true, TextureKind::kGeneral)>(),
+    specialise_both<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kGeneral)>(),
     // What programs draw with most besides: sprites, texts and panes, and see-through parts of scenes.
     specialise<hot_key(false, Compare::kLess, false, false, kBilinear)>(),
     specialise<hot_key(false, Compare::kLess, false, true, kBilinear)>(),
@@ -112,19 +144,33 @@ constexpr Specialised kSpecialised[] = {
     specialise<image_key(PixelImage::kRgba8, BlendKind::kAlpha)>(),
 };
 
-TileKernel select_kernel(const FragmentKey& key) {
-    if (key.image == PixelImage::kStencil) return stencil_image_kernel;
+const Specialised* find_specialised(const FragmentKey& key) {
     FragmentKey wanted = key;
     if (!key.depth_test) wanted.depth_func = Compare::kLess, wanted.depth_write = false;
     wanted.counts_samples = false;
     for (const Specialised& s : kSpecialised)
-        if (s.key == wanted) return key.counts_samples ? s.counting_kernel : s.kernel;
-    return general_kernel;
+        if (s.key == wanted) return &s;
+    return nullptr;
+}
+
+TileKernel select_kernel(const FragmentKey& key) {
+    if (key.image == PixelImage::kStencil) return stencil_image_kernel;
+    const Specialised* const s = find_specialised(key);
+    if (s == nullptr) return general_kernel;
+    return key.counts_samples ? s->counting_kernel : s->kernel;
+}
+SampleKernel select_sample_kernel(const FragmentKey& key) {
+    if (key.image == PixelImage::kStencil) return stencil_image_sample_kernel;
+    const Specialised* const s = key.counts_samples ? nullptr : find_specialised(key);
+    return s ? s->sample_kernel : general_sample_kernel;
 }
 #else
 // Without vector instructions the general kernel's branches cost next to nothing beside its arithmetic.
 TileKernel select_kernel(const FragmentKey& key) {
     return key.image == PixelImage::kStencil ? stencil_image_kernel : general_kernel;
+}
+SampleKernel select_sample_kernel(const FragmentKey& key) {
+    return key.image == PixelImage::kStencil ? stencil_image_sample_kernel : general_sample_kernel;
 }
 #endif
 
@@ -142,15 +188,14 @@ TERRAZZO_NOINLINE void apply_masks(const TileData& data, const Bin& bin, TileLis
         const TileList::Entry& entry = list.entries[i];
         const int column = first_column + entry.tile % kTilesAcross,
                   row = first_row + entry.tile / kTilesAcross;
-        const auto mask = static_cast<uint16_t>(entry.mask & masks[data.index(column, row)]);
-        list.entries[kept] = {entry.tile, mask};
+        const auto mask = static_cast<uint16_t>(entry.masks[0] & masks[data.index(column, row)]);
+        list.entries[kept] = {entry.tile, {mask}};
         kept += mask != 0;
     }
     list.count = kept;
 }
 
-void draw_primitive(const Primitive& primitive, Bin& bin) {
-    TileList list;
+TERRAZZO_INLINE void find_tiles(const Primitive& primitive, Bin& bin, TileList& list) {
     switch (primitive.edge_count) {
         case 0:
             cover_bin<0>(primitive, bin, list);
@@ -163,14 +208,74 @@ void draw_primitive(const Primitive& primitive, Bin& bin) {
             cover_bin<4>(primitive, bin, list);
             break;
     }
+}
+
+void draw_primitive(const Primitive& primitive, Bin& bin) {
+    TileList list;
+    find_tiles(primitive, bin, list);
     if (list.count == 0) return;
     const TileKernel kernel = primitive.steep ? general_kernel : primitive.state->kernel;
     kernel(*primitive.state, primitive, bin, list);
 }
 
+// Of pixels whose samples are covered alike.
+void find_alike_samples(const Primitive& primitive, Bin& bin, SampleList& list) {
+    TileList tiles;
+    find_tiles(primitive, bin, tiles);
+    for (; list.count < tiles.count; ++list.count) {
+        const TileList::Entry& entry = tiles.entries[list.count];
+        list.entries[list.count].tile = entry.tile;
+        for (uint16_t& mask : list.entries[list.count].masks) mask = entry.masks[0];
+    }
+}
+
+void draw_multisampled(const Primitive& primitive, Bin& bin) {
+    const FragmentState& state = *primitive.state;
+    SampleList list;
+    if (!state.multisample || primitive.edge_count == 0) {
+        find_alike_samples(primitive, bin, list);
+    } else if (primitive.edge_count == 3) {
+        cover_bin<3>(primitive, bin, list);
+    } else {
+        cover_bin<4>(primitive, bin, list);
+    }
+    if (list.count == 0) return;
+    if (state.key.sample_mask != 0xf) {
+        for (int i = 0; i < list.count; ++i)
+            for (int s = 0; s < kMaxSamples; ++s)
+                if (!(state.key.sample_mask >> s & 1)) list.entries[i].masks[s] = 0;
+    }
+    const SampleKernel kernel = primitive.steep ? general_sample_kernel : state.sample_kernel;
+    kernel(state, primitive, bin, list);
+}
+
+// The mean of a tile's samples, in floats as the reference has it.
+TERRAZZO_INLINE I32x16 mean_of_samples(const uint32_t* tile) {
+    const Color first = from_color8(unpack_rgba8(load(tile)));
+    F32x16 sums[4] = {first.r, first.g, first.b, first.a};
+    for (int s = 1; s < kMaxSamples; ++s) {
+        const Color c = from_color8(unpack_rgba8(load(tile + s * kBinPixels)));
+        sums[0] = sums[0] + c.r, sums[1] = sums[1] + c.g, sums[2] = sums[2] + c.b, sums[3] = sums[3] + c.a;
+    }
+    const F32x16 share(1.0f / kMaxSamples);
+    return pack_rgba8({to_unorm8(sums[0] * share), to_unorm8(sums[1] * share), to_unorm8(sums[2] * share),
+                       to_unorm8(sums[3] * share)});
+}
+
+void resolve_rgba8(const uint32_t* samples, const uint8_t* alike, int tile_count, uint32_t* to) {
+    for (int tile = 0; tile < tile_count; ++tile, samples += kTilePixels, to += kTilePixels)
+        store(alike[tile] ? load(samples) : mean_of_samples(samples), to);
+}
+
 }  // namespace
 
 extern const KernelTable kKernelTable;
-const KernelTable kKernelTable = {simd::Isa::TERRAZZO_ISA_ENUM, select_kernel, draw_primitive, fill};
+const KernelTable kKernelTable = {simd::Isa::TERRAZZO_ISA_ENUM,
+                                  select_kernel,
+                                  draw_primitive,
+                                  select_sample_kernel,
+                                  draw_multisampled,
+                                  resolve_rgba8,
+                                  fill};
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

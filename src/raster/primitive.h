@@ -16,7 +16,8 @@ namespace terrazzo::raster {
 // The half plane E(x, y) = c + step_x * x + step_y * y >= 0 over pixel coordinates x, y: the pixel centre is
 // inside. Fixed point with 8 sub-pixel bits; the fill rule is folded into c, and c has been divided by 256
 // (rounded down), which does not move the sign at any pixel because a step by one pixel changes E by a
-// multiple of 256 sub-pixel units.
+// multiple of 256 sub-pixel units. Where FragmentState::multisample is set coordinates are those of pixels'
+// corners and c is left undivided, to be stepped to each sample.
 struct Edge {
     int64_t c;
     int32_t step_x;  // E(x + 1, y) - E(x, y)
@@ -24,13 +25,13 @@ struct Edge {
 
     // From corner a to corner b of a positive outline, in 8-bit sub-pixels.
     [[gnu::always_inline]] static Edge between(int32_t ax, int32_t ay, int32_t bx, int32_t by,
-                                               bool row0_is_top) {
+                                               bool row0_is_top, bool multisample) {
         const int32_t dcdx = ay - by, dcdy = ax - bx;
         int64_t c = int64_t{dcdx} * ax - int64_t{dcdy} * ay;
         // Pixels exactly on a left edge, or on the edge that is lower in GL's orientation, are inside.
         if (dcdx < 0 || (dcdx == 0 && (row0_is_top ? dcdy < 0 : dcdy > 0))) ++c;
         // E > 0 becomes E - 1 >= 0; then pixel steps, which are multiples of 256, let the low bits go.
-        return {(c - 1) >> 8, -dcdx, dcdy};
+        return {(c - 1) >> (multisample ? 0 : 8), -dcdx, dcdy};
     }
 };
 

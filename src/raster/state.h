@@ -211,6 +211,10 @@ struct FragmentKey {
     bool flat_color = false;         // colours are their planes' origins as they stand
     bool separate_specular = false;  // a secondary colour is added after texturing
     bool counts_samples = false;     // Bin::samples_passed, FragmentState::samples_passed
+    // Of multisampled targets (GL 1.5 §4.1.3):
+    uint8_t sample_mask = 0xf;  // which samples may be written
+    bool alpha_to_coverage = false;
+    bool alpha_to_one = false;
     TextureKind texture = TextureKind::kNone;
     PixelImage image = PixelImage::kNone;
 
@@ -255,13 +259,21 @@ struct FragmentState;
 struct Primitive;
 struct Bin;
 struct TileList;
+struct SampleList;
 // Shades the tiles of `list` that `primitive` covers in `bin`.
 using TileKernel = void (*)(const FragmentState&, const Primitive& primitive, Bin& bin, const TileList& list);
+
+// The same on a multisampled target, for the samples of `list`.
+using SampleKernel = void (*)(const FragmentState&, const Primitive& primitive, Bin& bin,
+                              const SampleList& list);
 
 struct FragmentState {
     FragmentKey key;
     Varyings varyings;
     TileKernel kernel = nullptr;
+    SampleKernel sample_kernel = nullptr;  // where the target is multisampled
+    bool multisample =
+        false;  // each sample of a pixel is tested where it is; else all are where its centre is
     uint8_t texture_count = 0;  // active units, in order
     uint8_t depth_bits = 24;
     bool has_destination_alpha = true;

@@ -31,34 +31,51 @@ Target::Target(int width, int height, TargetFormat format, std::nullptr_t)
 
 void Target::allocate_depth_and_stencil() {
     if (m_format.depth_bits != 0) {
-        m_depth = Plane<uint32_t>(m_bins_across, m_bins_up, kBinPixels);
+        m_depth = Plane<uint32_t>(m_bins_across, m_bins_up, bin_samples());
+        m_depth_alike = new_alike_marks();
         m_farthest = new_farthest();
     }
-    if (m_format.stencil_bits != 0) m_stencil = Plane<uint8_t>(m_bins_across, m_bins_up, kBinPixels);
+    if (m_format.stencil_bits != 0) {
+        m_stencil = Plane<uint8_t>(m_bins_across, m_bins_up, bin_samples());
+        m_stencil_alike = new_alike_marks();
+    }
 }
 
 Target::Plane<std::byte> Target::new_color() const {
-    return {m_bins_across, m_bins_up, kBinPixels * static_cast<size_t>(bytes_per_pixel(m_format.color))};
+    return {m_bins_across, m_bins_up, bin_samples() * static_cast<size_t>(bytes_per_pixel(m_format.color))};
 }
 
 Target::Plane<float> Target::new_farthest() const {
     return {m_bins_across, m_bins_up, kBinTiles};
 }
 
+Target::Plane<uint8_t> Target::new_alike_marks() const {
+    if (m_format.samples == 1) return {};
+    return {m_bins_across, m_bins_up, kBinTiles};
+}
+
 Target::Target(int width, int height, TargetFormat format) : Target(width, height, format, nullptr) {
     m_color = new_color();
+    m_color_alike = new_alike_marks();
     allocate_depth_and_stencil();
     for (int i = 0; i < bin_count(); ++i) clear_bin(i, {true, true, true}, {});
 }
 
 Target::Target(int width, int height, TargetFormat format, const SharedPlanes& planes)
     : Target(width, height, format, nullptr) {
-    if (planes.color) m_color = planes.color->m_color;
+    if (planes.color) {
+        m_color = planes.color->m_color;
+        m_color_alike = planes.color->m_color_alike;
+    }
     if (planes.depth) {
         m_depth = planes.depth->m_depth;
+        m_depth_alike = planes.depth->m_depth_alike;
         m_farthest = new_farthest();
     }
-    if (planes.stencil) m_stencil = planes.stencil->m_stencil;
+    if (planes.stencil) {
+        m_stencil = planes.stencil->m_stencil;
+        m_stencil_alike = planes.stencil->m_stencil_alike;
+    }
     for (const Target* const shared : {planes.color, planes.depth, planes.stencil})
         m_is_part |= shared && (shared->width() > width || shared->height() > height);
 }
@@ -89,7 +106,10 @@ Bin Target::bin(int index) {
             m_farthest.bin(column, row),
             column * kBinSize,
             row * kBinSize,
-            &state(index)};
+            &state(index),
+            m_color_alike.bin(column, row),
+            m_depth_alike.bin(column, row),
+            m_stencil_alike.bin(column, row)};
 }
 
 void Target::clear_bin(int index, ClearPlanes planes, const ClearValues& values) {
@@ -117,7 +137,11 @@ void Target::materialize(int index, ClearPlanes wanted) {
                stencil = info.pending.stencil && wanted.stencil;
     if (!color && !depth && !stencil) return;
     const Bin planes = bin(index);
+    const auto mark_alike = [](uint8_t* marks) {
+        if (marks) std::memset(marks, 1, kBinTiles);
+    };
     if (color) {
+        mark_alike(planes.color_alike);
         if (m_format.color == ColorFormat::kRgba8) {
             uint32_t pixel;
             encode_color(m_format.color, info.clear.color, reinterpret_cast<std::byte*>(&pixel));
@@ -128,30 +152,41 @@ void Target::materialize(int index, ClearPlanes wanted) {
         info.pending.color = false;
     }
     if (depth) {
+        mark_alike(planes.depth_alike);
         kernels().fill(planes.depth, info.clear.depth, kBinPixels);
         std::fill_n(planes.farthest, kBinTiles, info.farthest);
         info.pending.depth = false;
     }
     if (stencil) {
+        mark_alike(planes.stencil_alike);
         std::memset(planes.stencil, info.clear.stencil, kBinPixels);
         info.pending.stencil = false;
     }
 }
 
 void Target::exchange_color() {
-    if (!m_other_color) m_other_color = new_color();
+    if (!m_other_color) {
+        Plane<uint8_t> marks = new_alike_marks();
+        m_other_color = new_color();
+        m_other_color_alike = std::move(marks);
+    }
     for (int i = 0; i < bin_count(); ++i) materialize(i, {true, false, false});
     std::swap(m_color, m_other_color);
+    std::swap(m_color_alike, m_other_color_alike);
 }
 
 Target::Depths Target::save_depths() const {
-    const size_t bins = static_cast<size_t>(bin_count()), pixels = bins * kBinPixels;
+    const size_t bins = static_cast<size_t>(bin_count()), samples = bins * bin_samples(),
+                 tiles = bins * kBinTiles;
     Depths out;
-    if (m_depth) {
-        out.depth.assign(m_depth.get(), m_depth.get() + pixels);
-        out.farthest.assign(m_farthest.get(), m_farthest.get() + bins * kBinTiles);
-    }
-    if (m_stencil) out.stencil.assign(m_stencil.get(), m_stencil.get() + pixels);
+    const auto save = [](const auto& plane, size_t count, auto& to) {
+        if (plane) to.assign(plane.get(), plane.get() + count);
+    };
+    save(m_depth, samples, out.depth);
+    save(m_stencil, samples, out.stencil);
+    save(m_farthest, tiles, out.farthest);
+    save(m_depth_alike, tiles, out.depth_alike);
+    save(m_stencil_alike, tiles, out.stencil_alike);
     out.states = m_states;
     return out;
 }
@@ -160,6 +195,8 @@ void Target::restore_depths(const Depths& saved) {
     std::ranges::copy(saved.depth, m_depth.get());
     std::ranges::copy(saved.farthest, m_farthest.get());
     std::ranges::copy(saved.stencil, m_stencil.get());
+    std::ranges::copy(saved.depth_alike, m_depth_alike.get());
+    std::ranges::copy(saved.stencil_alike, m_stencil_alike.get());
     for (size_t i = 0; i < m_states.size(); ++i) {
         const BinState color = m_states[i];
         m_states[i] = saved.states[i];

@@ -4,12 +4,19 @@
 // cut into bins of 64x64 pixels, row by row; a bin's planes are contiguous, its 4x4 tiles follow one another
 // row by row, the 16 pixels of a tile likewise. Colour is what ColorFormat says, depth is one uint32 a pixel
 // holding depth_bits significant bits (whatever their number), stencil one byte a pixel. A clear of the whole
-// target only marks its bins; a bin is filled when it is first touched. Not synchronised: at any time a bin
-// belongs to one thread, and the target's owner keeps readers and frames apart.
+// target only marks its bins; a bin is filled when it is first touched.
+//
+// Of a multisampled target (GL 1.5 §3.2.1) a bin has each plane once for every sample, one behind the other.
+// Where all samples of a tile's pixels are alike the tile is marked so, and only the first sample's pixels
+// count: most tiles never know more than that. Writing the same to all samples leaves the marks as they are.
+//
+// Not synchronised: at any time a bin belongs to one thread, and the target's owner keeps readers and frames
+// apart.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -40,6 +47,15 @@ constexpr int bytes_per_pixel(ColorFormat format) {
     return 0;
 }
 
+inline constexpr int kMaxSamples = 4;
+
+// Where in a pixel its samples are, in 256ths; y as rows go (GL 1.5 §3.2.1 leaves it to us: the reference's
+// places).
+struct SamplePosition {
+    int x, y;
+};
+constexpr SamplePosition kSamplePositions[kMaxSamples] = {{96, 32}, {224, 96}, {32, 160}, {160, 224}};
+
 // Index of a pixel within its bin's planes, for 0 <= x, y < 64.
 constexpr int pixel_index(int x, int y) {
     return ((y >> 2) * kTilesAcross + (x >> 2)) * kTilePixels + (y & 3) * kTileSize + (x & 3);
@@ -66,6 +82,7 @@ struct TargetFormat {
     uint8_t depth_bits = 24;   // 0, 16, 24 (or 32: the bits of a float, later)
     uint8_t stencil_bits = 8;  // 0 or 8
     RowOrder rows = RowOrder::kTopFirst;
+    uint8_t samples = 1;  // of a pixel: 1 or kMaxSamples
 
     friend bool operator==(const TargetFormat&, const TargetFormat&) = default;
 };
@@ -98,8 +115,31 @@ struct Bin {
     float* farthest;  // one bound a tile, as BinState's; whoever writes depths keeps them true
     int x, y;         // of its first pixel
     BinState* state;
+    // One byte a tile: whether the first sample's pixels are those of all samples. Null where there is one
+    // sample.
+    uint8_t *color_alike = nullptr, *depth_alike = nullptr, *stencil_alike = nullptr;
     uint64_t samples_passed = 0;  // while FragmentKey::counts_samples says so
 };
+
+// One sample's planes of a multisampled bin, as if they were all there are.
+[[gnu::always_inline]] inline Bin planes_of_sample(const Bin& bin, int sample, ColorFormat format) {
+    Bin out = bin;
+    const size_t pixels = static_cast<size_t>(sample) * kBinPixels;
+    if (bin.color) out.color += pixels * static_cast<size_t>(bytes_per_pixel(format));
+    if (bin.depth) out.depth += pixels;
+    if (bin.stencil) out.stencil += pixels;
+    return out;
+}
+
+// Gives each sample of a tile pixels of its own, in a plane whose pixels have so many bytes.
+[[gnu::always_inline]] inline void spread_tile(void* plane, int tile, size_t pixel_bytes, uint8_t* alike) {
+    if (!alike[tile]) return;
+    alike[tile] = 0;
+    std::byte* const first =
+        static_cast<std::byte*>(plane) + static_cast<size_t>(tile) * kTilePixels * pixel_bytes;
+    for (size_t s = 1; s < kMaxSamples; ++s)
+        std::memcpy(first + s * kBinPixels * pixel_bytes, first, kTilePixels * pixel_bytes);
+}
 
 class Target;
 
@@ -148,7 +188,7 @@ class Target {
     // All but the colours, to be drawn over and come back to. Throws std::bad_alloc.
     struct Depths {
         std::vector<uint32_t> depth;
-        std::vector<uint8_t> stencil;
+        std::vector<uint8_t> stencil, depth_alike, stencil_alike;
         std::vector<float> farthest;
         std::vector<BinState> states;
     };
@@ -182,6 +222,9 @@ class Target {
     void allocate_depth_and_stencil();
     Plane<std::byte> new_color() const;
     Plane<float> new_farthest() const;
+    Plane<uint8_t> new_alike_marks() const;
+    // Of all samples of a bin.
+    size_t bin_samples() const { return size_t{kBinPixels} * m_format.samples; }
 
     int m_width, m_height, m_bins_across, m_bins_up;
     TargetFormat m_format;
@@ -191,6 +234,7 @@ class Target {
     Plane<std::byte> m_other_color;  // null until it is asked for
     Plane<uint32_t> m_depth;
     Plane<uint8_t> m_stencil;
+    Plane<uint8_t> m_color_alike, m_other_color_alike, m_depth_alike, m_stencil_alike;
     Plane<float> m_farthest;
     std::vector<BinState> m_states;
 };

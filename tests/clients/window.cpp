@@ -1,6 +1,6 @@
 // A GLFW program in a window: GLFW finds the library, the program asks GLFW for GL's commands. usage:
-// window osmesa|glx|egl PICTURE. What GLFW or the X server shows must be what was read. Exits with 77 when
-// GLFW has no display.
+// window osmesa|glx|egl|glx-multisampled|egl-multisampled PICTURE. What GLFW or the X server shows must be
+// what was read. Exits with 77 when GLFW has no display.
 #define GLFW_INCLUDE_NONE
 #define GLFW_EXPOSE_NATIVE_OSMESA
 #define GLFW_EXPOSE_NATIVE_X11
@@ -81,8 +81,8 @@ int draw_in(GLFWwindow* window, const char* path) {
 }
 
 int creation_api(const char* name) {
-    if (std::strcmp(name, "glx") == 0) return GLFW_NATIVE_CONTEXT_API;
-    return std::strcmp(name, "egl") == 0 ? GLFW_EGL_CONTEXT_API : GLFW_OSMESA_CONTEXT_API;
+    if (std::strncmp(name, "glx", 3) == 0) return GLFW_NATIVE_CONTEXT_API;
+    return std::strncmp(name, "egl", 3) == 0 ? GLFW_EGL_CONTEXT_API : GLFW_OSMESA_CONTEXT_API;
 }
 
 }  // namespace
@@ -92,6 +92,7 @@ int main(int count, char** arguments) {
     glfwSetErrorCallback([](int, const char* text) { std::fprintf(stderr, "GLFW: %s\n", text); });
     if (!glfwInit()) return 77;
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, creation_api(arguments[1]));
+    glfwWindowHint(GLFW_SAMPLES, std::strstr(arguments[1], "-multisampled") ? 4 : 0);
     glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
     GLFWwindow* const window = glfwCreateWindow(kPictureWidth, kPictureHeight, "Terrazzo", nullptr, nullptr);
     const int status = window ? draw_in(window, arguments[2]) : EXIT_FAILURE;

@@ -240,7 +240,7 @@ struct Scene {
             std::int64_t{x[0] - x[1]} * (y[2] - y[0]) - std::int64_t{x[2] - x[0]} * (y[0] - y[1]);
         if (area < 0) std::swap(x[0], x[1]), std::swap(y[0], y[1]);
         for (int e = 0; e < 3; ++e)
-            p.edges[e] = Edge::between(x[e], y[e], x[(e + 1) % 3], y[(e + 1) % 3], true);
+            p.edges[e] = Edge::between(x[e], y[e], x[(e + 1) % 3], y[(e + 1) % 3], true, false);
         for (int i = 0; i < p.plane_count; ++i) {
             float* const plane = p.planes() + i;
             plane[0] = random.between(0, 1);
@@ -395,6 +395,170 @@ TEST_P(PixelKernels, SkipOnlyWhatIsHidden) {
     }
     EXPECT_GT(hidden, 500u);
     EXPECT_GT(bounded_bins, 4);
+}
+
+// A bin of four samples a pixel, some of whose tiles are marked as alike.
+struct SampledBin {
+    SampledBin(Random random, const FragmentState& state)
+        : color(random, static_cast<std::size_t>(kPixels * bytes_per_pixel(state.key.color_format))),
+          depth(random, kPixels * 4),
+          stencil(random, kPixels),
+          bin{reinterpret_cast<std::byte*>(color.data()),
+              reinterpret_cast<std::uint32_t*>(depth.data()),
+              stencil.data(),
+              farthest,
+              kBinOrigin,
+              kBinOrigin,
+              &info,
+              alike[0],
+              alike[1],
+              alike[2]} {
+        for (int i = 0; i < kPixels; ++i) bin.depth[i] &= (1u << state.depth_bits) - 1;
+        if (state.key.color_format == ColorFormat::kRgba32F) {
+            auto* const floats = reinterpret_cast<float*>(color.data());
+            for (int i = 0; i < kPixels * 4; ++i) floats[i] = random.between(0, 1);
+        }
+        for (auto& plane : alike)
+            for (std::uint8_t& mark : plane) mark = random.coin();
+        forget();
+    }
+    SampledBin(const SampledBin&) = delete;
+
+    void forget() {
+        std::fill_n(farthest, kBinTiles, info.farthest = std::numeric_limits<float>::infinity());
+    }
+    // Gives all samples pixels of their own.
+    void spread(ColorFormat format) {
+        for (int tile = 0; tile < kBinTiles; ++tile) {
+            spread_tile(bin.color, tile, static_cast<std::size_t>(bytes_per_pixel(format)), alike[0]);
+            spread_tile(bin.depth, tile, 4, alike[1]);
+            spread_tile(bin.stencil, tile, 1, alike[2]);
+        }
+    }
+    bool guards_hold() const { return color.guards_hold() && depth.guards_hold() && stencil.guards_hold(); }
+
+    static constexpr int kPixels = kBinPixels * kMaxSamples;
+    GuardedPlane color, depth, stencil;
+    std::uint8_t alike[3][kBinTiles];
+    alignas(64) float farthest[kBinTiles];
+    BinState info;
+    Bin bin;
+};
+
+// What counts of two planes is the same: of tiles that are alike the first sample.
+bool same_plane(GuardedPlane& a, const std::uint8_t* a_alike, GuardedPlane& b, const std::uint8_t* b_alike) {
+    const std::size_t bytes = a.size() / SampledBin::kPixels * kTilePixels;
+    for (std::size_t tile = 0; tile < kBinTiles; ++tile) {
+        for (std::size_t s = 0; s < kMaxSamples; ++s) {
+            const auto of = [&](GuardedPlane& plane, const std::uint8_t* alike) {
+                return plane.data() + ((alike[tile] ? 0 : s) * kBinTiles + tile) * bytes;
+            };
+            if (std::memcmp(of(a, a_alike), of(b, b_alike), bytes) != 0) return false;
+        }
+    }
+    return true;
+}
+
+bool same_samples(SampledBin& a, SampledBin& b) {
+    return same_plane(a.color, a.alike[0], b.color, b.alike[0]) &&
+           same_plane(a.depth, a.alike[1], b.depth, b.alike[1]) &&
+           same_plane(a.stencil, a.alike[2], b.stencil, b.alike[2]);
+}
+
+void make_multisampled(Scene& scene) {
+    Random& random = scene.random;
+    FragmentKey& key = scene.state.key;
+    scene.state.multisample = !random.once_in(4);
+    if (scene.state.multisample) {
+        if (random.once_in(4)) key.sample_mask = static_cast<std::uint8_t>(random.below(16));
+        key.alpha_to_coverage = random.once_in(4);
+        key.alpha_to_one = random.once_in(4);
+    }
+    Primitive& p = scene.primitive();
+    for (int e = 0; scene.state.multisample && e < p.edge_count; ++e)
+        p.edges[e].c = p.edges[e].c * 256 + random.below(256);
+    // Rectangles without edges are of one depth.
+    if (p.edge_count == 0 || random.once_in(4)) p.planes()[p.plane_count] = p.planes()[2 * p.plane_count] = 0;
+}
+
+void draw_samples(SampledBin& to, Scene& scene, const KernelTable& table) {
+    scene.state.sample_kernel = table.select_sample_kernel(scene.state.key);
+    table.draw_multisampled(scene.primitive(), to.bin);
+}
+
+TEST_P(PixelKernels, DrawTheSamplesThatScalarDraws) {
+    int touched = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        Scene scene(seed);
+        make_multisampled(scene);
+        SampledBin expected(Random(7), scene.state), found(Random(7), scene.state),
+            untouched(Random(7), scene.state);
+        draw_samples(expected, scene, *compiled_kernels().back());
+        draw_samples(found, scene, *GetParam());
+        ASSERT_TRUE(found.guards_hold()) << "seed " << seed;
+        ASSERT_TRUE(same_samples(expected, found)) << "seed " << seed;
+        ASSERT_EQ(std::memcmp(expected.alike, found.alike, sizeof found.alike), 0) << "seed " << seed;
+        touched += !same_samples(found, untouched);
+    }
+    EXPECT_GT(touched, 80);
+}
+
+// What tiles are marked as must not show.
+TEST_P(PixelKernels, DrawAlikeTilesLikeOthers) {
+    int made_alike = 0;
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        Scene scene(seed);
+        make_multisampled(scene);
+        SampledBin marked(Random(7), scene.state), spread(Random(7), scene.state);
+        spread.spread(scene.state.key.color_format);
+        draw_samples(marked, scene, *GetParam());
+        draw_samples(spread, scene, *GetParam());
+        made_alike += static_cast<int>(std::count(spread.alike[0], spread.alike[1], 1));
+        ASSERT_TRUE(same_samples(marked, spread)) << "seed " << seed;
+    }
+    EXPECT_GT(made_alike, 300);
+}
+
+TEST_P(PixelKernels, SkipOnlySamplesThatAreHidden) {
+    std::uint32_t hidden = 0;
+    for (std::uint64_t pile = 0; pile < 4; ++pile) {
+        Scene first(pile);
+        first.state.key = {};
+        first.state.depth_bits = pile % 4 == 0 ? 16 : 24;
+        SampledBin remembering(Random(7), first.state), forgetful(Random(7), first.state);
+        for (std::uint64_t seed = 0; seed < 150; ++seed) {
+            Scene scene(1000 * pile + seed);
+            scene.flatten_to(first.state.depth_bits);
+            make_multisampled(scene);
+            draw_samples(remembering, scene, *GetParam());
+            forgetful.forget();
+            draw_samples(forgetful, scene, *GetParam());
+            ASSERT_TRUE(same_samples(remembering, forgetful)) << "pile " << pile << ", " << seed;
+        }
+        hidden += remembering.info.hidden;
+    }
+    EXPECT_GT(hidden, 20u);
+}
+
+TEST_P(PixelKernels, ResolveAsScalarDoes) {
+    const FragmentState state;
+    SampledBin bin(Random(11), state);
+    alignas(64) std::uint32_t expected[kBinPixels], found[kBinPixels];
+    const auto* const samples = reinterpret_cast<const std::uint32_t*>(bin.color.data());
+    compiled_kernels().back()->resolve_rgba8(samples, bin.alike[0], kBinTiles, expected);
+    GetParam()->resolve_rgba8(samples, bin.alike[0], kBinTiles, found);
+    EXPECT_EQ(std::memcmp(expected, found, sizeof found), 0);
+    for (int i = 0; i < kBinPixels; ++i) {
+        if (bin.alike[0][i / kTilePixels]) {
+            ASSERT_EQ(found[i], samples[i]);
+            continue;
+        }
+        for (int shift = 0; shift < 32; shift += 8) {
+            std::uint32_t sum = 0;
+            for (int s = 0; s < kMaxSamples; ++s) sum += samples[s * kBinPixels + i] >> shift & 255;
+            ASSERT_NEAR(static_cast<double>(found[i] >> shift & 255), sum / 4.0, 0.5);
+        }
+    }
 }
 
 TEST_P(PixelKernels, FillWhatTheyAreTold) {

@@ -17,7 +17,6 @@ import on_display  # noqa: E402
 OTHER_APIS = "es1-"
 # What differs, and why. Traces were recorded on Mesa, with all that it offers: the programs themselves do without.
 EXCEPTIONS = {
-    "md-redbook-multisamp": "asks for a multisampled window; there are none",
     "mujoco-win": "uses 32-bit float depth, which is not offered",
     "osgspotlight": "Mesa keeps the old ambient when GL_COLOR_MATERIAL is enabled again with the same colour",
     "osgteapot": "Mesa keeps the old ambient when GL_COLOR_MATERIAL is enabled again with the same colour",

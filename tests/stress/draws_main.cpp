@@ -1,7 +1,8 @@
 // stress-draws: the pictures of seeds as checksums, a line a seed.
 //
 // usage: stress-draws FIRST COUNT [PREFIX]. With PREFIX the buffers' bytes go to the file PREFIX<seed> too:
-// colour, depth (four bytes a pixel), stencil. Each seed also chooses the buffer's format and size. The
+// colour, depth (four bytes a pixel), stencil. Each seed also chooses the buffer's format and size, and whether there
+// is a multisampled object in its place. The
 // instruction set and the threads come from the environment: the library chooses once a process, so
 // compare_runs.py starts one for each choice.
 #include <cinttypes>
@@ -9,9 +10,11 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "kit/object_in_window.h"
 #include "kit/offscreen.h"
 #include "random.h"
 #include "random_draws.h"
@@ -51,7 +54,10 @@ kit::ContextOptions options_of(std::uint64_t seed) {
 void run_seed(const kit::Library& library, std::uint64_t seed, const char* prefix) {
     const kit::ContextOptions options = options_of(seed);
     const kit::OffscreenContext context(library, options);
+    std::optional<kit::ObjectInWindow> object;
+    if (stress::Random(~seed).once_in(3)) object.emplace(library.gl, options, 4);
     stress::draw_random(library.gl, seed, options.width, options.height);
+    if (object) object->show();
     const std::vector<GLenum> errors = context.take_errors();
     Checksum checksum;
     std::ofstream file;

@@ -106,6 +106,16 @@ class Player {
         rasterization();
         fragments();
         fog();
+        if (bits(GL_SAMPLES) > 0) samples();
+    }
+
+    void samples() {
+        enable(GL_MULTISAMPLE, !m_random.once_in(4));
+        enable(GL_SAMPLE_ALPHA_TO_COVERAGE, m_random.once_in(4));
+        enable(GL_SAMPLE_ALPHA_TO_ONE, m_random.once_in(4));
+        enable(GL_SAMPLE_COVERAGE, m_random.once_in(4));
+        const float value = m_random.between(0, 1);
+        gl.SampleCoverage(value, m_random.coin());
     }
 
     void matrices() {
@@ -350,6 +360,7 @@ class Player {
                 gl.DrawPixels(width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, bytes.data());
                 break;
             case 4:
+                if (bits(GL_SAMPLES) > 0) break;  // they are not read one a pixel
                 gl.CopyPixels(m_random.below(m_width), m_random.below(m_height), width, height,
                               m_random.coin() || bits(GL_DEPTH_BITS) == 0 ? GL_COLOR : GL_DEPTH);
                 break;

@@ -20,7 +20,7 @@
 namespace terrazzo::test {
 namespace {
 
-constexpr Pixel kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255};
+constexpr Pixel kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255}, kBlack{0, 0, 0};
 
 template <class Function>
 Function* command(const char* name) {
@@ -145,6 +145,36 @@ TEST_F(Egl, WindowsAreSwapped) {
     EXPECT_TRUE(eglDestroyContext(egl, ctx));
     clear_to(kGreen);
     EXPECT_EQ(read(3, 3), kGreen);
+}
+
+TEST_F(Egl, MultisampledSurfacesHaveSmoothEdges) {
+    open_x();
+    EGLint value = -1;
+    EXPECT_TRUE(eglGetConfigAttrib(egl, config(EGL_WINDOW_BIT), EGL_SAMPLES, &value));
+    EXPECT_EQ(value, 0);
+    const EGLConfig chosen =
+        config(EGL_WINDOW_BIT | EGL_PBUFFER_BIT, {EGL_SAMPLE_BUFFERS, 1, EGL_SAMPLES, 4});
+    ASSERT_NE(chosen, nullptr);
+    const auto shown = window(chosen, 80, 80);
+    const EGLSurface surface = eglCreateWindowSurface(egl, chosen, shown->id(), nullptr);
+    const EGLSurface hidden = pbuffer(chosen, 80, 80);
+    const EGLContext ctx = context(chosen);
+    const Pixel half{128, 0, 0};
+    for (const EGLSurface target : {hidden, surface}) {
+        ASSERT_TRUE(eglMakeCurrent(egl, target, target, ctx));
+        clear_to(kBlack);
+        glColor3f(1, 0, 0);
+        glBegin(GL_TRIANGLES);
+        glVertex2f(-1, -1);
+        glVertex2f(1, -1);
+        glVertex2f(-1, 1);
+        glEnd();
+        EXPECT_EQ(read(30, 49), half);
+    }
+    ASSERT_TRUE(eglSwapBuffers(egl, surface));
+    EXPECT_EQ(shown->pixel(30, 30), half);
+    EXPECT_EQ(shown->pixel(30, 31), kRed);
+    EXPECT_EQ(shown->pixel(30, 29), kBlack);
 }
 
 TEST_F(Egl, SingleBufferedWindowsShowAtFlush) {

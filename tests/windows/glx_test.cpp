@@ -205,6 +205,64 @@ TEST_F(Glx, SwapShowsTheBackBuffer) {
     glXDestroyContext(display, ctx);
 }
 
+// A triangle over the lower left half of the window.
+void draw_diagonal() {
+    clear_to(kBlack);
+    glColor3f(1, 0, 0);
+    glBegin(GL_TRIANGLES);
+    glVertex2f(-1, -1);
+    glVertex2f(1, -1);
+    glVertex2f(-1, 1);
+    glEnd();
+}
+
+TEST_F(Glx, MultisampledWindowsHaveSmoothEdges) {
+    int value = 0;
+    glXGetFBConfigAttrib(display, double_buffered(), GLX_SAMPLE_BUFFERS, &value);
+    EXPECT_EQ(value, 0);
+    const GLXFBConfig chosen =
+        config({GLX_DOUBLEBUFFER, 1, GLX_SAMPLE_BUFFERS, 1, GLX_SAMPLES, 2, GLX_STENCIL_SIZE, 8});
+    ASSERT_NE(chosen, nullptr);
+    glXGetFBConfigAttrib(display, chosen, GLX_SAMPLES, &value);
+    EXPECT_EQ(value, 4);
+    int list[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_SAMPLES, 4, GLX_DEPTH_SIZE, 16, kNone};
+    XVisualInfo* const visual = glXChooseVisual(display, DefaultScreen(display), list);
+    ASSERT_NE(visual, nullptr);
+    EXPECT_EQ(glXGetConfig(display, visual, GLX_SAMPLES, &value), 0);
+    EXPECT_EQ(value, 4);
+    XFree(visual);
+
+    const auto shown = window(chosen, 80, 80);
+    const GLXContext ctx = context(chosen);
+    ASSERT_TRUE(glXMakeCurrent(display, shown->id(), ctx));
+    glGetIntegerv(GL_SAMPLES, &value);
+    EXPECT_EQ(value, 4);
+    // Two of each pixel's samples lie below its diagonal.
+    const Pixel half{128, 0, 0};
+    draw_diagonal();
+    EXPECT_EQ(read(30, 49), half);
+    glXSwapBuffers(display, shown->id());
+    EXPECT_EQ(shown->pixel(30, 30), half);
+    EXPECT_EQ(shown->pixel(30, 31), kRed);
+    EXPECT_EQ(shown->pixel(30, 29), kBlack);
+    glReadBuffer(GL_FRONT);
+    EXPECT_EQ(read(30, 49), half);
+    glDisable(GL_MULTISAMPLE);
+    glDrawBuffer(GL_FRONT);
+    draw_diagonal();
+    glFlush();
+    EXPECT_NE(shown->pixel(30, 30), half);
+    EXPECT_EQ(shown->pixel(30, 31), kRed);
+    shown->resize(40, 40);
+    glDrawBuffer(GL_BACK);
+    glEnable(GL_MULTISAMPLE);
+    glViewport(0, 0, 40, 40);
+    draw_diagonal();
+    glXSwapBuffers(display, shown->id());
+    EXPECT_EQ(shown->pixel(10, 10), half);
+    glXDestroyContext(display, ctx);
+}
+
 TEST_F(Glx, SingleBufferedShowsAtFlush) {
     const GLXFBConfig chosen = single_buffered();
     const auto shown = window(chosen);

@@ -100,6 +100,10 @@ void add_bench_command(CLI::App& app) {
     command->add_option("--width", options->plan.width)->check(CLI::Range(1, 16384))->capture_default_str();
     command->add_option("--height", options->plan.height)->check(CLI::Range(1, 16384))->capture_default_str();
     command->add_flag("--animate", options->plan.animate, "Turn the models from frame to frame");
+    command
+        ->add_option("--samples", options->plan.samples,
+                     "Samples a pixel, in a frame buffer object that each frame is copied from")
+        ->check(CLI::Range(0, 4));
     command->add_option("--json", options->json_path,
                         "Write the figures as JSON; - for standard output only");
     command->add_flag("-q,--quiet", options->quiet, "No progress");

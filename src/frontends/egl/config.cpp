@@ -36,8 +36,9 @@ constexpr window::Attribute<Config> kAttributes[] = {
     {EGL_LUMINANCE_SIZE, Match::kAtLeast, Order::kColorTotal, 0, zero},
     {EGL_ALPHA_SIZE, Match::kAtLeast, Order::kColorTotal, 0, [](const Config& c) { return c.alpha_bits; }},
     {EGL_BUFFER_SIZE, Match::kAtLeast, Order::kSmaller, 0, color_bits},
-    {EGL_SAMPLE_BUFFERS, Match::kAtLeast, Order::kSmaller, 0, zero},
-    {EGL_SAMPLES, Match::kAtLeast, Order::kSmaller, 0, zero},
+    {EGL_SAMPLE_BUFFERS, Match::kAtLeast, Order::kSmaller, 0,
+     [](const Config& c) { return c.samples ? 1 : 0; }},
+    {EGL_SAMPLES, Match::kAtLeast, Order::kSmaller, 0, [](const Config& c) { return c.samples; }},
     {EGL_DEPTH_SIZE, Match::kAtLeast, Order::kSmaller, 0, [](const Config& c) { return c.depth_bits; }},
     {EGL_STENCIL_SIZE, Match::kAtLeast, Order::kSmaller, 0, [](const Config& c) { return c.stencil_bits; }},
     {EGL_ALPHA_MASK_SIZE, Match::kAtLeast, Order::kSmaller, 0, zero},
@@ -77,8 +78,10 @@ constexpr window::Chooser<Config> kChooser{kAttributes};
 }  // namespace
 
 raster::TargetFormat Config::target_format() const {
-    return {color, alpha_bits != 0, static_cast<std::uint8_t>(depth_bits),
-            static_cast<std::uint8_t>(stencil_bits)};
+    raster::TargetFormat format{color, alpha_bits != 0, static_cast<std::uint8_t>(depth_bits),
+                                static_cast<std::uint8_t>(stencil_bits)};
+    format.samples = static_cast<std::uint8_t>(samples ? samples : 1);
+    return format;
 }
 
 int Config::surface_types() const {
@@ -107,25 +110,26 @@ std::vector<Config> make_configs(const x11::Screen* screen) {
     };
     constexpr Depth kDepths[] = {{24, 8}, {24, 0}, {16, 0}, {0, 0}};
     std::vector<Config> out;
-    for (const auto& look : looks) {
-        for (const int alpha : {0, 8}) {
-            const bool eight_bits = !look || look->color == raster::ColorFormat::kRgba8;
-            if (alpha ? !eight_bits : look && look->has_alpha) continue;
-            for (const Depth& depth : kDepths) {
-                Config& config = out.emplace_back();
-                config.id = static_cast<int>(out.size());
-                config.visual = look;
-                config.alpha_bits = alpha;
-                config.depth_bits = depth.depth_bits;
-                config.stencil_bits = depth.stencil_bits;
-                if (!look) continue;
-                config.color = look->color;
-                config.red_bits = look->red_bits;
-                config.green_bits = look->green_bits;
-                config.blue_bits = look->blue_bits;
-            }
-        }
-    }
+    const auto add = [&](int samples, const std::optional<x11::Visual>& look, int alpha, const Depth& depth) {
+        const bool eight_bits = !look || look->color == raster::ColorFormat::kRgba8;
+        if (alpha ? !eight_bits : look && look->has_alpha) return;
+        Config& config = out.emplace_back();
+        config.id = static_cast<int>(out.size());
+        config.visual = look;
+        config.alpha_bits = alpha;
+        config.depth_bits = depth.depth_bits;
+        config.stencil_bits = depth.stencil_bits;
+        config.samples = samples;
+        if (!look) return;
+        config.color = look->color;
+        config.red_bits = look->red_bits;
+        config.green_bits = look->green_bits;
+        config.blue_bits = look->blue_bits;
+    };
+    for (const int samples : {0, raster::kMaxSamples})
+        for (const auto& look : looks)
+            for (const int alpha : {0, 8})
+                for (const Depth& depth : kDepths) add(samples, look, alpha, depth);
     return out;
 }
 

@@ -18,6 +18,7 @@ struct Config {
     raster::ColorFormat color = raster::ColorFormat::kRgba8;
     int red_bits = 8, green_bits = 8, blue_bits = 8, alpha_bits = 0;
     int depth_bits = 0, stencil_bits = 0;
+    int samples = 0;  // of a pixel; 0: not multisampled
 
     raster::TargetFormat target_format() const;
     int surface_types() const;  // EGL_WINDOW_BIT ...

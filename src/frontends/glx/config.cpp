@@ -39,8 +39,9 @@ constexpr window::Attribute<Config> kAttributes[] = {
     {GLX_DOUBLEBUFFER, Match::kExact, Order::kSmaller, kDontCare,
      [](const Config& c) { return int{c.double_buffered}; }},
     {GLX_AUX_BUFFERS, Match::kAtLeast, Order::kSmaller, 0, [](const Config&) { return 0; }},
-    {GLX_SAMPLE_BUFFERS, Match::kAtLeast, Order::kSmaller, 0, [](const Config&) { return 0; }},
-    {GLX_SAMPLES, Match::kAtLeast, Order::kSmaller, 0, [](const Config&) { return 0; }},
+    {GLX_SAMPLE_BUFFERS, Match::kAtLeast, Order::kSmaller, 0,
+     [](const Config& c) { return c.samples ? 1 : 0; }},
+    {GLX_SAMPLES, Match::kAtLeast, Order::kSmaller, 0, [](const Config& c) { return c.samples; }},
     {GLX_DEPTH_SIZE, Match::kAtLeast, Order::kLarger, 0, [](const Config& c) { return c.depth_bits; }},
     {GLX_STENCIL_SIZE, Match::kAtLeast, Order::kSmaller, 0, [](const Config& c) { return c.stencil_bits; }},
     {GLX_ACCUM_RED_SIZE, Match::kAtLeast, Order::kAccumTotal, 0,
@@ -149,24 +150,24 @@ std::vector<Config> make_configs(const x11::Screen& screen, int number, int firs
     for (const auto& group : groups) {
         std::size_t in_group = 0;
         const bool eight_bits = group.front().color == raster::ColorFormat::kRgba8;
-        for (const int accum : {0, 16}) {
-            for (const bool double_buffered : {true, false}) {
-                for (const Depth& depth : kDepths) {
-                    for (const int alpha : {0, 8}) {
-                        if (alpha ? !eight_bits : group.front().has_alpha) continue;
-                        Config& config = out.emplace_back();
-                        config.id = first_id++;
-                        config.screen = number;
-                        config.visual = group[in_group++ % group.size()];
-                        config.alpha_bits = alpha;
-                        config.depth_bits = depth.depth_bits;
-                        config.stencil_bits = depth.stencil_bits;
-                        config.accum_bits = accum;
-                        config.double_buffered = double_buffered;
-                    }
-                }
-            }
-        }
+        const auto add = [&](int samples, int accum, bool double_buffered, const Depth& depth, int alpha) {
+            if (alpha ? !eight_bits : group.front().has_alpha) return;
+            Config& config = out.emplace_back();
+            config.id = first_id++;
+            config.screen = number;
+            config.visual = group[in_group++ % group.size()];
+            config.alpha_bits = alpha;
+            config.depth_bits = depth.depth_bits;
+            config.stencil_bits = depth.stencil_bits;
+            config.accum_bits = accum;
+            config.double_buffered = double_buffered;
+            config.samples = samples;
+        };
+        for (const int samples : {0, raster::kMaxSamples})
+            for (const int accum : {0, 16})
+                for (const bool double_buffered : {true, false})
+                    for (const Depth& depth : kDepths)
+                        for (const int alpha : {0, 8}) add(samples, accum, double_buffered, depth, alpha);
     }
     return out;
 }
@@ -174,8 +175,11 @@ std::vector<Config> make_configs(const x11::Screen& screen, int number, int firs
 }  // namespace terrazzo::glx
 
 terrazzo::raster::TargetFormat __GLXFBConfigRec::target_format() const {
-    return {visual.color, alpha_bits != 0, static_cast<std::uint8_t>(depth_bits),
-            static_cast<std::uint8_t>(stencil_bits)};
+    terrazzo::raster::TargetFormat format{visual.color, alpha_bits != 0,
+                                          static_cast<std::uint8_t>(depth_bits),
+                                          static_cast<std::uint8_t>(stencil_bits)};
+    format.samples = static_cast<std::uint8_t>(samples ? samples : 1);
+    return format;
 }
 
 terrazzo::x11::BufferFormat __GLXFBConfigRec::buffer_format() const {

@@ -19,6 +19,7 @@ struct __GLXFBConfigRec {
     int stencil_bits = 0;
     int accum_bits = 0;  // a component
     bool double_buffered = false;
+    int samples = 0;  // of a pixel; 0: not multisampled
 
     terrazzo::raster::TargetFormat target_format() const;
     terrazzo::x11::BufferFormat buffer_format() const;

@@ -15,7 +15,7 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 using namespace raster;
 
 #if HWY_NATIVE_FMA || HWY_TARGET == HWY_SCALAR || !HWY_HAVE_FLOAT64
-// a0 + dadx * x + dady * y with the reference's roundings, for whole numbers x and y below 2^15.
+// a0 + dadx * x + dady * y with the reference's roundings, for x and y below 2^15 in steps of an eighth.
 TERRAZZO_INLINE F32x16 exact_plane(float a0, float dadx, float dady, F32x16 x, F32x16 y) {
     return fused_multiply_add(F32x16(dady), y, fused_multiply_add(F32x16(dadx), x, F32x16(a0)));
 }
@@ -59,6 +59,13 @@ class Interpolator {
         m_row = y / kTileSize;
         m_x = to_float(lane_x() + I32x16(x));
         m_y = to_float(lane_y() + I32x16(y));
+    }
+    // From a tile's corners to other places within its pixels.
+    TERRAZZO_INLINE Interpolator at_offset(float x, float y) const {
+        Interpolator moved = *this;
+        moved.m_x = m_x + F32x16(x);
+        moved.m_y = m_y + F32x16(y);
+        return moved;
     }
     TERRAZZO_INLINE F32x16 plane(int index) const {
         if (m_steep) return steep_plane(index);

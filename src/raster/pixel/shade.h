@@ -41,6 +41,12 @@ TERRAZZO_INLINE uint32_t stipple_mask(const uint32_t* pattern, int x, int y, int
     return mask;
 }
 
+TERRAZZO_INLINE uint32_t stippled_pixels(const FragmentState& state, int x, int y) {
+    const int up = state.target_height_for_stipple;
+    return up > 0 ? stipple_mask(state.polygon_stipple, x, up - 1 - y, -1)
+                  : stipple_mask(state.polygon_stipple, x, y, 1);
+}
+
 // What the tiles of a primitive share, read once: the compiler has to expect that a store to a tile changes
 // everything that is not a local variable.
 struct SharedByTiles {
@@ -159,13 +165,11 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
     uint64_t passed = 0;
     for (int i = 0; i < list.count; ++i) {
         const int tile = list.entries[i].tile;
-        uint32_t mask = list.entries[i].mask;
+        uint32_t mask = list.entries[i].masks[0];
         const int x = bin.x + tile % kTilesAcross * kTileSize, y = bin.y + tile / kTilesAcross * kTileSize;
         at.move_to(x, y);
         if (k.polygon_stipple) {
-            const int up = state.target_height_for_stipple;
-            mask &= up > 0 ? stipple_mask(state.polygon_stipple, x, up - 1 - y, -1)
-                           : stipple_mask(state.polygon_stipple, x, y, 1);
+            mask &= stippled_pixels(state, x, y);
             if (mask == 0) continue;
         }
         if (early && (k.depth_test || k.stencil_test)) {
