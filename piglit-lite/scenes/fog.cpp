@@ -67,6 +67,35 @@ SCENE(fog_parameters, "forms f, fv, i and iv of the parameters, and what they re
     }
 }
 
+SCENE(fog_distances,
+      "along the axis, signed or not, and from the eye, on lit and unlit vertices (NV_fog_distance)") {
+    begin(gl);
+    gl.Fogi(GL_FOG_MODE, GL_LINEAR);
+    gl.Fogf(GL_FOG_START, 2);
+    gl.Fogf(GL_FOG_END, 9);
+    constexpr GLenum kModes[] = {GL_EYE_RADIAL_NV, GL_EYE_PLANE, GL_EYE_PLANE_ABSOLUTE_NV};
+    const Solid torus = make_torus(0.8F, 0.35F, 20, 10);
+    for_viewports(gl, 3, 2, [&](int cell) {
+        gl.Fogi(GL_FOG_DISTANCE_MODE_NV, static_cast<GLint>(kModes[cell % 3]));
+        GLint got = 0;
+        gl.GetIntegerv(GL_FOG_DISTANCE_MODE_NV, &got);
+        notes.value("mode", got);
+        if (cell == 3) {
+            gl.Enable(GL_LIGHTING);
+            gl.Enable(GL_LIGHT0);
+        }
+        camera(gl, 100, 1, 0.5F, 40);
+        gl.Color3f(0.9F, 0.5F, 0.1F);
+        gl.Begin(GL_QUADS);
+        for (int i = 0; i < 4; ++i) gl.Vertex3f(i == 0 || i == 3 ? -8.0F : 8.0F, -1, i < 2 ? 0.4F : -9.0F);
+        gl.End();
+        gl.Translatef(-2, 0.5F, -1.5F);
+        draw_solid(gl, torus, kNormals);
+    });
+    gl.Fogi(GL_FOG_DISTANCE_MODE_NV, GL_FOG_COORDINATE);
+    notes.value("no such mode", gl.GetError());
+}
+
 SCENE(fog_with_texture_and_blend, "fog after texturing, before blending; alpha passes through") {
     begin(gl);
     gl.Disable(GL_DEPTH_TEST);

@@ -1,4 +1,4 @@
-// Fog parameters (GL 1.5 §3.10).
+// Fog parameters (GL 1.5 §3.10, NV_fog_distance).
 #include "gl/fog.h"
 
 #include "gl/change.h"
@@ -28,6 +28,12 @@ void fogfv(Context& ctx, GLenum pname, const GLfloat* params) {
                 return record_error(ctx, GL_INVALID_ENUM, "no such source of fog coordinates");
             }
             return change(ctx, Dirty::kFragment, fog.coordinate_source, *params);
+        case GL_FOG_DISTANCE_MODE_NV:
+            if (*params != GL_EYE_RADIAL_NV && *params != GL_EYE_PLANE &&
+                *params != GL_EYE_PLANE_ABSOLUTE_NV) {
+                return record_error(ctx, GL_INVALID_ENUM, "no such distance of fog");
+            }
+            return change(ctx, Dirty::kFragment, fog.distance_mode, *params);
         case GL_FOG_COLOR:
             return change(ctx, Dirty::kFragment, fog.color,
                           std::array{params[0], params[1], params[2], params[3]});

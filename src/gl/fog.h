@@ -17,6 +17,7 @@ struct FogState {
     GLfloat end = 1;
     GLfloat index = 0;
     GLenum coordinate_source = GL_FRAGMENT_DEPTH;
+    GLenum distance_mode = GL_EYE_PLANE_ABSOLUTE_NV;  // NV_fog_distance
     bool color_sum = false;  // the secondary colour is added without lighting too (GL 1.5 §3.9)
 };
 

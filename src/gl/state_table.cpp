@@ -73,6 +73,7 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
         {GL_FOG_END, [](Context& c, Out& out) { out = c.fog.end; }},
         {GL_FOG_INDEX, [](Context& c, Out& out) { out = c.fog.index; }},
 
+        {GL_FOG_DISTANCE_MODE_NV, [](Context& c, Out& out) { out = c.fog.distance_mode; }},
         {GL_FOG_COORDINATE_SOURCE, [](Context& c, Out& out) { out = c.fog.coordinate_source; }},
 
         // Lighting

@@ -377,6 +377,13 @@ void make_blending(const Context& ctx, raster::FragmentState& out) {
     std::copy_n(b.color.data(), 4, out.blend_color);
 }
 
+pipeline::FogDistance fog_distance(const FogState& fog) {
+    using pipeline::FogDistance;
+    if (fog.coordinate_source == GL_FOG_COORDINATE) return FogDistance::kGiven;
+    if (fog.distance_mode == GL_EYE_RADIAL_NV) return FogDistance::kEyeRadial;
+    return fog.distance_mode == GL_EYE_PLANE ? FogDistance::kEyePlane : FogDistance::kEyePlaneAbsolute;
+}
+
 void make_fog(const Context& ctx, raster::FragmentState& out) {
     const FogState& fog = ctx.fog;
     out.key.fog = !fog.enabled            ? raster::FogMode::kNone
@@ -654,7 +661,7 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     const bool all_filled = drawing.state.raster.fill[0] == pipeline::FillMode::kFill &&
                             drawing.state.raster.fill[1] == pipeline::FillMode::kFill;
     vertex.edge_flags = !all_filled;
-    vertex.fog_from_coordinate = ctx.fog.coordinate_source == GL_FOG_COORDINATE;
+    vertex.fog_distance = fog_distance(ctx.fog);
     if (is_dirty(ctx, Dirty::kTransform)) {
         for (int u = 0; u < kMaxTextureUnits; ++u) {
             auto& coordinates = vertex.texture[static_cast<std::size_t>(u)];

@@ -115,7 +115,8 @@ struct Needs {
 Needs needs_of(const VertexState& state) {
     const Lighting& lighting = state.lighting;
     Needs needs{lighting.enabled,
-                state.varyings.fog >= 0 && !state.fog_from_coordinate && !state.fog_eye_z_alone};
+                state.varyings.fog >= 0 && state.fog_distance != FogDistance::kGiven &&
+                    !(state.fog_eye_z_alone && state.fog_distance != FogDistance::kEyeRadial)};
     if (lighting.enabled) {
         needs.eye = needs.eye || lighting.local_viewer;
         for (int i = 0; i < lighting.light_count; ++i)
@@ -147,8 +148,13 @@ F32x16 attenuated_point_size(const VertexState& state, F32x16 distance) {
 
 F32x16 fog_distance(const VertexState& state, const VertexInput& input, const ElementBatch& batch,
                     const Wide4& position, const Wide4& eye) {
-    if (state.fog_from_coordinate) return abs(fetch(input, kFogCoordinate, batch).x);
-    return abs(state.fog_eye_z_alone ? eye_z_alone(state, position) : eye.z);
+    if (state.fog_distance == FogDistance::kGiven) return abs(fetch(input, kFogCoordinate, batch).x);
+    if (state.fog_distance == FogDistance::kEyeRadial) {
+        const Wide3 from_eye{eye.x, eye.y, eye.z};
+        return sqrt(dot(from_eye, from_eye));
+    }
+    const F32x16 z = state.fog_eye_z_alone ? eye_z_alone(state, position) : eye.z;
+    return state.fog_distance == FogDistance::kEyePlane ? z : abs(z);
 }
 
 void shade_batch(const VertexState& state, const Needs& needs, const VertexInput& input,

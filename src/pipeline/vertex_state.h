@@ -66,6 +66,9 @@ struct TextureCoordinates {
     float planes[4][4] = {};  // of the mode each coordinate uses
 };
 
+// Where a vertex's fog coordinate comes from (GL 1.5 §3.10, NV_fog_distance).
+enum class FogDistance : uint8_t { kGiven, kEyePlane, kEyePlaneAbsolute, kEyeRadial };
+
 enum class NormalScaling : uint8_t { kNone, kRescale, kNormalize };
 
 struct VertexState {
@@ -85,8 +88,8 @@ struct VertexState {
     NormalScaling normal_scaling = NormalScaling::kNone;
     float rescale_factor = 1;
     Lighting lighting;
-    bool edge_flags = false;           // polygons may be drawn unfilled
-    bool fog_from_coordinate = false;  // else from the eye distance
+    bool edge_flags = false;  // polygons may be drawn unfilled
+    FogDistance fog_distance = FogDistance::kEyePlaneAbsolute;
     // Each vertex has a point size of its own: point_size * 1/sqrt(a + b d + c d²), within the bounds.
     bool point_attenuated = false;
     float point_size = 1, point_size_min = 0, point_size_max = 255;
