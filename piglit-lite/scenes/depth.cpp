@@ -117,6 +117,39 @@ SCENE(depth_sixteen_bits, "intersecting slopes in a 16-bit depth buffer",
     }
 }
 
+SCENE(depth_clamp,
+      "beyond the near and the far plane, with depth ranges, offset and a clipped raster position") {
+    constexpr GLclampd kRanges[][2] = {{0, 1}, {0.2, 0.7}, {0.8, 0.3}, {0, 1}};
+    for_viewports(gl, 2, 2, [&](int cell) {
+        gl.DepthRange(kRanges[cell][0], kRanges[cell][1]);
+        camera(gl, 60, 3, 2.6F, 3.2F);
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(GL_LEQUAL);
+        gl.Enable(GL_DEPTH_CLAMP);
+        gl.Rotatef(50, 1, 0.3F, 0);
+        draw_solid(gl, make_torus(0.8F, 0.35F, 28, 14), kColours);
+        if (cell == 1) gl.Enable(GL_POLYGON_OFFSET_FILL);
+        gl.PolygonOffset(3, 200);
+        gl.Begin(GL_TRIANGLES);
+        gl.Color3f(0.3F, 0.3F, 0.9F);
+        gl.Vertex3f(-2, -1, -3);
+        gl.Color3f(0.9F, 0.3F, 0.3F);
+        gl.Vertex3f(2, -1, 1.5F);
+        gl.Vertex3f(0, 2, 0.2F);
+        gl.End();
+        gl.Disable(GL_POLYGON_OFFSET_FILL);
+        gl.RasterPos3f(0, 0, 2);
+        GLfloat window[4];
+        GLboolean valid = 0;
+        gl.GetFloatv(GL_CURRENT_RASTER_POSITION, window);
+        gl.GetBooleanv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
+        notes.value("valid", valid);
+        notes.value("depth of the raster position", window[2], 1e-6);
+        if (cell == 3) gl.Disable(GL_DEPTH_CLAMP);
+        notes.value("clamping", gl.IsEnabled(GL_DEPTH_CLAMP));
+    });
+}
+
 SCENE(depth_none, "a context without depth and stencil: the tests pass",
       .context = {.depth_bits = 0, .stencil_bits = 0}, .window_only = "its theme is the context's format") {
     camera(gl, 50, 4.5F);

@@ -94,6 +94,7 @@ void for_each_enable(Context& ctx, Visit visit) {
                        &ctx.lighting.color_material.enabled,
                        &ctx.matrix.transform.normalize,
                        &ctx.matrix.transform.rescale_normal,
+                       &ctx.matrix.transform.depth_clamp,
                        &ctx.rasterization.multisample.enabled,
                        &ctx.rasterization.multisample.alpha_to_coverage,
                        &ctx.rasterization.multisample.alpha_to_one,

@@ -67,6 +67,8 @@ Capability find_capability(Context& ctx, GLenum cap) {
             return {&ctx.matrix.transform.normalize, Dirty::kTransform};
         case GL_RESCALE_NORMAL:
             return {&ctx.matrix.transform.rescale_normal, Dirty::kTransform};
+        case GL_DEPTH_CLAMP:
+            return {&ctx.matrix.transform.depth_clamp, Dirty::kAll};
         case GL_POINT_SMOOTH:
             return {&ctx.rasterization.point.smooth, Dirty::kRasterization};
         case GL_POINT_SPRITE:

@@ -46,7 +46,8 @@ GLenum check_buffer(const Context& ctx, GLenum buffer, const Framebuffer* object
     return object && error == GL_NO_ERROR ? GLenum{GL_INVALID_OPERATION} : error;
 }
 
-// Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer is selected then.
+// Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer is selected
+// then.
 bool names_front(GLenum buffer) {
     return buffer == GL_FRONT || buffer == GL_FRONT_LEFT;
 }
@@ -86,8 +87,9 @@ void viewport(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 
 void depth_range(Context& ctx, GLdouble n, GLdouble f) {
-    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.near_depth, clamp_depth(n));
-    change(ctx, Dirty::kTransform, ctx.framebuffer.viewport.far_depth, clamp_depth(f));
+    const Dirty stale = ctx.matrix.transform.depth_clamp ? Dirty::kAll : Dirty::kTransform;
+    change(ctx, stale, ctx.framebuffer.viewport.near_depth, clamp_depth(n));
+    change(ctx, stale, ctx.framebuffer.viewport.far_depth, clamp_depth(f));
 }
 
 // Clear values matter to Clear alone, which has drawn everything before it: no change to announce.

@@ -36,6 +36,7 @@ struct TransformState {
     bool rescale_normal = false;
     GLenum clip_origin = GL_LOWER_LEFT;  // ARB_clip_control
     GLenum clip_depth_mode = GL_NEGATIVE_ONE_TO_ONE;
+    bool depth_clamp = false;  // ARB_depth_clamp
 };
 
 struct MatrixState {

@@ -41,7 +41,8 @@ GLfloat dot4(const Vector4& a, const Vector4& b) {
 
 bool is_inside(const Context& ctx, const Vector4& clip) {
     const bool zero_to_one = ctx.matrix.transform.clip_depth_mode == GL_ZERO_TO_ONE;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t axes = ctx.matrix.transform.depth_clamp ? 2 : 3;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
         const GLfloat low = axis == 2 && zero_to_one ? 0.0f : -clip[3];
         if (!(clip[axis] >= low && clip[axis] <= clip[3])) return false;
     }
@@ -64,6 +65,11 @@ Vector4 window_position(const ViewportState& viewport, const TransformState& tra
     return {clip[0] * inverse * half_width + (half_width + static_cast<float>(viewport.x)),
             clip[1] * inverse * up + (half_height + static_cast<float>(viewport.y)),
             clip[2] * inverse * depth.scale + depth.translate, clip[3]};
+}
+
+void clamp_to_depth_range(const ViewportState& viewport, GLfloat& z) {
+    const auto [low, high] = std::minmax(viewport.near_depth, viewport.far_depth);
+    z = std::clamp(z, static_cast<GLfloat>(low), static_cast<GLfloat>(high));
 }
 
 Vector4 clamped(const Vector4& color) {
@@ -210,6 +216,7 @@ void raster_pos4f(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     }
     RasterPosition made = ctx.raster_position;
     made.window = window_position(ctx.framebuffer.viewport, ctx.matrix.transform, clip);
+    if (ctx.matrix.transform.depth_clamp) clamp_to_depth_range(ctx.framebuffer.viewport, made.window[2]);
     made.distance = fog_distance(ctx, std::sqrt(dot3(eye, eye)));
     made.index = ctx.vertex.current.index;
     made.color = clamped(ctx.vertex.current.color());

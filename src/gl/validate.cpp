@@ -64,6 +64,7 @@ void make_transform(Context& ctx, pipeline::VertexState& out) {
             out.normal_matrix[row + 3 * column] = modelview.inverse.at(column, row);
 
     const TransformState& transform = ctx.matrix.transform;
+    out.clips_depth = !transform.depth_clamp;
     out.clip_plane_mask = 0;
     for (int p = 0; p < kMaxClipPlanes; ++p) {
         const ClipPlane& plane = transform.clip_planes[static_cast<std::size_t>(p)];
@@ -521,6 +522,15 @@ void count_samples(const Context& ctx, pipeline::FragmentBlock& block) {
     block.images.push_back(ctx.queries.active->counter);
 }
 
+// What reaches beyond 0..1 is cut off there in any case.
+void clamp_depths(const Context& ctx, raster::FragmentState& state) {
+    const ViewportState& viewport = ctx.framebuffer.viewport;
+    const auto [low, high] = std::minmax(viewport.near_depth, viewport.far_depth);
+    state.key.depth_clamp = ctx.matrix.transform.depth_clamp && state.key.depth_test && (low > 0 || high < 1);
+    state.depth_range[0] = static_cast<float>(low);
+    state.depth_range[1] = static_cast<float>(high);
+}
+
 void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     pipeline::DrawState& draw = ctx.drawing.state;
     auto block = std::make_shared<pipeline::FragmentBlock>();
@@ -535,6 +545,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     key.depth_offset = key.depth_test &&
                        (polygon.offset_fill || polygon.offset_line || polygon.offset_point) &&
                        (polygon.offset_factor != 0 || polygon.offset_units != 0);
+    clamp_depths(ctx, state);
     key.polygon_stipple = polygon.stipple_enabled;
     if (key.polygon_stipple) {
         block->polygon_stipple.assign(ctx.rasterization.polygon_stipple.rows.begin(),

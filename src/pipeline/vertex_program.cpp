@@ -18,9 +18,10 @@ I32x16 outcode(const VertexState& state, const Wide4& clip) {
         return select(inside, I32x16(0), I32x16(static_cast<int32_t>(bit)));
     };
     I32x16 code = flag(clip.x <= clip.w, kOutsideRight) | flag(clip.x + clip.w >= zero, kOutsideLeft) |
-                  flag(clip.y <= clip.w, kOutsideTop) | flag(clip.y + clip.w >= zero, kOutsideBottom) |
-                  flag((state.zero_to_one ? clip.z : clip.z + clip.w) >= zero, kOutsideNear) |
-                  flag(clip.z <= clip.w, kOutsideFar);
+                  flag(clip.y <= clip.w, kOutsideTop) | flag(clip.y + clip.w >= zero, kOutsideBottom);
+    if (state.clips_depth)
+        code = code | flag((state.zero_to_one ? clip.z : clip.z + clip.w) >= zero, kOutsideNear) |
+               flag(clip.z <= clip.w, kOutsideFar);
     for (int p = 0; p < kMaxClipPlanes; ++p) {
         if (!(state.clip_plane_mask >> p & 1)) continue;
         const float* const plane = state.clip_planes[p];

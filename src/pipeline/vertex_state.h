@@ -83,6 +83,8 @@ struct VertexState {
     float viewport_scale[3], viewport_translate[3];
     bool zero_to_one = false;                   // the near plane is at clip z = 0, not at -w
     float snap_origin = 0.5f;  // what in a pixel sub-pixels are counted from: its centre, or 0 for its corner
+    // At the near and the far plane; else the depths of fragments are clamped (ARB_depth_clamp).
+    bool clips_depth = true;
     uint32_t clip_plane_mask = 0;               // bit p: plane p is enabled
     float clip_planes[kMaxClipPlanes][4] = {};  // in clip coordinates
     NormalScaling normal_scaling = NormalScaling::kNone;

@@ -24,14 +24,14 @@ TERRAZZO_INLINE float depth_maximum(int depth_bits) {
 
 // Whether a fragment that lies behind all of a tile leaves no trace.
 TERRAZZO_INLINE bool discards_hidden(const FragmentKey& key) {
-    return key.depth_test && !key.stencil_test && key.image != PixelImage::kDepth &&
+    return key.depth_test && !key.stencil_test && !key.depth_clamp && key.image != PixelImage::kDepth &&
            (key.depth_func == Compare::kLess || key.depth_func == Compare::kLessEqual);
 }
 // Whether each fragment of such a state leaves its pixel's depth at most its own.
 TERRAZZO_INLINE bool hides_what_follows(const FragmentKey& key) {
-    return key.depth_write && key.alpha_func == Compare::kAlways && !key.polygon_stipple &&
-           key.coverage == Coverage::kNone && key.sample_mask == 0xf && !key.alpha_to_coverage &&
-           key.image != PixelImage::kDepth;
+    return key.depth_write && !key.depth_clamp && key.alpha_func == Compare::kAlways &&
+           !key.polygon_stipple && key.coverage == Coverage::kNone && key.sample_mask == 0xf &&
+           !key.alpha_to_coverage && key.image != PixelImage::kDepth;
 }
 // Whether a fragment may leave a depth that is farther than the one before.
 TERRAZZO_INLINE bool raises_depth(const FragmentKey& key) {

@@ -199,6 +199,7 @@ struct FragmentKey {
     bool depth_write = false;
     Compare depth_func = Compare::kLess;
     bool depth_offset = false;
+    bool depth_clamp = false;  // to a part of 0..1: FragmentState::depth_range
     bool stencil_test = false;
     Compare alpha_func = Compare::kAlways;
     FogMode fog = FogMode::kNone;
@@ -276,6 +277,7 @@ struct FragmentState {
         false;  // each sample of a pixel is tested where it is; else all are where its centre is
     uint8_t texture_count = 0;  // active units, in order
     uint8_t depth_bits = 24;
+    float depth_range[2] = {0, 1};  // from low to high
     bool has_destination_alpha = true;
 
     float constant_color[4] = {1, 1, 1, 1};

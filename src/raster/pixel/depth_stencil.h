@@ -69,6 +69,7 @@ TERRAZZO_INLINE uint32_t depth_stencil_test(Key key, const FragmentState& state,
         } else {
             F32x16 z = at.depth();
             if (k.depth_offset) z = z + F32x16(primitive.depth_offset);
+            if (k.depth_clamp) z = clamp(z, F32x16(state.depth_range[0]), F32x16(state.depth_range[1]));
             depth = quantize_depth(z, depth_bits);
         }
         uint32_t* const stored = bin.depth + tile * kTilePixels;
