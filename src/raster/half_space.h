@@ -52,17 +52,17 @@ TERRAZZO_INLINE int32_t edge_at(const Edge& edge, int x, int y) {
 
 // The same at one of a pixel's samples; the only one is at the pixel's centre.
 template <int kSamples>
-TERRAZZO_INLINE int32_t edge_at_sample(const Edge& edge, int sample, int x, int y) {
-    if constexpr (kSamples == 1) return edge_at(edge, x, y);
+TERRAZZO_INLINE int32_t edge_at_sample(const Edge& edge, bool multisample, int sample, int x, int y) {
+    if (kSamples == 1 || !multisample) return edge_at(edge, x, y);
     const SamplePosition at = kSamplePositions[sample];
     const int64_t c = edge.c + int64_t{edge.step_x} * at.x + int64_t{edge.step_y} * at.y;
     return edge_at({c >> 8, edge.step_x, edge.step_y}, x, y);
 }
 
 template <int kSamples>
-TERRAZZO_INLINE BinEdge<kSamples> edge_in_bin(const Edge& edge, int x, int y) {
+TERRAZZO_INLINE BinEdge<kSamples> edge_in_bin(const Edge& edge, bool multisample, int x, int y) {
     BinEdge<kSamples> e;
-    for (int s = 0; s < kSamples; ++s) e.at_row[s] = edge_at_sample<kSamples>(edge, s, x, y);
+    for (int s = 0; s < kSamples; ++s) e.at_row[s] = edge_at_sample<kSamples>(edge, multisample, s, x, y);
     int32_t low = e.at_row[0], high = e.at_row[0];
     for (const int32_t value : e.at_row) low = std::min(low, value), high = std::max(high, value);
     e.step_x = edge.step_x;
@@ -120,11 +120,12 @@ template <int kEdges, int kSamples>
 TERRAZZO_INLINE void cover_few_tiles(const Primitive& primitive, const Bin& bin, const TileRect& rect,
                                      CoveredTiles<kSamples>& list) {
     const int x = bin.x + rect.first_column * kTileSize, y = bin.y + rect.first_row * kTileSize;
+    [[maybe_unused]] const bool multisample = kSamples > 1 && primitive.state->multisample;
     int32_t first[kEdges][kSamples];
     I32x16 in_tile[kEdges];
     for (int e = 0; e < kEdges; ++e) {
         for (int s = 0; s < kSamples; ++s)
-            first[e][s] = edge_at_sample<kSamples>(primitive.edges[e], s, x, y);
+            first[e][s] = edge_at_sample<kSamples>(primitive.edges[e], multisample, s, x, y);
         in_tile[e] = pixel_steps(primitive.edges[e]);
     }
     for (int row = rect.first_row; row <= rect.last_row; ++row) {
@@ -163,11 +164,13 @@ template <int kEdges, int kSamples, class Depths>
 TERRAZZO_INLINE bool cover_rows(const Primitive& primitive, const Bin& bin, const TileRect& rect,
                                 Depths& depths, CoveredTiles<kSamples>& list) {
     constexpr int kArray = kEdges == 0 ? 1 : kEdges;
+    [[maybe_unused]] const bool multisample = kSamples > 1 && primitive.state->multisample;
     BinEdge<kSamples> edges[kArray];
     I32x16 in_tile[kArray];    // what each pixel adds to its tile's first
     I32x16 along_row[kArray];  // what each tile adds to the row's first
     for (int e = 0; e < kEdges; ++e) {
-        edges[e] = edge_in_bin<kSamples>(primitive.edges[e], bin.x, bin.y + rect.first_row * kTileSize);
+        edges[e] =
+            edge_in_bin<kSamples>(primitive.edges[e], multisample, bin.x, bin.y + rect.first_row * kTileSize);
         along_row[e] = lane_numbers() * I32x16(edges[e].step_x * kTileSize);
         in_tile[e] = pixel_steps(primitive.edges[e]);
     }

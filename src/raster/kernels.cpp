@@ -180,22 +180,24 @@ void fill(uint32_t* to, uint32_t value, size_t count) {
 }
 
 // Takes the pixels from the list that a rectangle's masks leave out.
-TERRAZZO_NOINLINE void apply_masks(const TileData& data, const Bin& bin, TileList& list) {
+template <int kSamples>
+TERRAZZO_NOINLINE void apply_masks(const TileData& data, const Bin& bin, CoveredTiles<kSamples>& list) {
     const auto* const masks = static_cast<const uint16_t*>(data.tiles);
     const int first_column = bin.x / kTileSize, first_row = bin.y / kTileSize;
     int kept = 0;
     for (int i = 0; i < list.count; ++i) {
-        const TileList::Entry& entry = list.entries[i];
+        auto entry = list.entries[i];
         const int column = first_column + entry.tile % kTilesAcross,
                   row = first_row + entry.tile / kTilesAcross;
-        const auto mask = static_cast<uint16_t>(entry.masks[0] & masks[data.index(column, row)]);
-        list.entries[kept] = {entry.tile, {mask}};
-        kept += mask != 0;
+        for (uint16_t& mask : entry.masks) mask &= masks[data.index(column, row)];
+        list.entries[kept] = entry;
+        kept += entry.masks[0] != 0;  // samples of a rectangle are alike
     }
     list.count = kept;
 }
 
-TERRAZZO_INLINE void find_tiles(const Primitive& primitive, Bin& bin, TileList& list) {
+template <int kSamples>
+TERRAZZO_INLINE void find_tiles(const Primitive& primitive, Bin& bin, CoveredTiles<kSamples>& list) {
     switch (primitive.edge_count) {
         case 0:
             cover_bin<0>(primitive, bin, list);
@@ -218,27 +220,10 @@ void draw_primitive(const Primitive& primitive, Bin& bin) {
     kernel(*primitive.state, primitive, bin, list);
 }
 
-// Of pixels whose samples are covered alike.
-void find_alike_samples(const Primitive& primitive, Bin& bin, SampleList& list) {
-    TileList tiles;
-    find_tiles(primitive, bin, tiles);
-    for (; list.count < tiles.count; ++list.count) {
-        const TileList::Entry& entry = tiles.entries[list.count];
-        list.entries[list.count].tile = entry.tile;
-        for (uint16_t& mask : list.entries[list.count].masks) mask = entry.masks[0];
-    }
-}
-
 void draw_multisampled(const Primitive& primitive, Bin& bin) {
     const FragmentState& state = *primitive.state;
     SampleList list;
-    if (!state.multisample || primitive.edge_count == 0) {
-        find_alike_samples(primitive, bin, list);
-    } else if (primitive.edge_count == 3) {
-        cover_bin<3>(primitive, bin, list);
-    } else {
-        cover_bin<4>(primitive, bin, list);
-    }
+    find_tiles(primitive, bin, list);
     if (list.count == 0) return;
     if (state.key.sample_mask != 0xf) {
         for (int i = 0; i < list.count; ++i)

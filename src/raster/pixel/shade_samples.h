@@ -36,52 +36,36 @@ TERRAZZO_NOINLINE void copy_to_samples(Value* plane, int tile, uint32_t pixels) 
             if (pixels >> i & 1) first[s * kBinPixels + i] = first[i];
 }
 
-// Without multisampling the first sample's test decides for all and all get its depth and stencil, which
-// GL 1.5 §4.1.9 allows and the reference does.
+// `corner` and `centre` are where the tile's pixels begin and where they are shaded. Without multisampling
+// the first sample's test decides for all and all get its depth and stencil, which GL 1.5 §4.1.9 allows and
+// the reference does.
 template <class Key>
-TERRAZZO_INLINE void test_first_sample(Key key, const FragmentState& state, int depth_bits,
-                                       const Primitive& primitive, const Interpolator& centre, const Bin& bin,
-                                       int tile, SampleMasks& masks) {
+TERRAZZO_NOINLINE void test_samples(Key key, const FragmentState& state, const Primitive& primitive,
+                                    const Interpolator& corner, const Interpolator& centre, const Bin& bin,
+                                    int tile, SampleMasks& masks) {
     const FragmentKey& k = key.value;
-    const uint32_t pass =
-        depth_stencil_test(key, state, depth_bits, primitive, centre, bin, tile, masks.of[0]);
-    if (k.depth_write && !bin.depth_alike[tile]) copy_to_samples(bin.depth, tile, pass);
-    if (k.stencil_test && !bin.stencil_alike[tile]) copy_to_samples(bin.stencil, tile, masks.of[0]);
-    for (uint32_t& mask : masks.of) mask = pass;
-}
-
-// `corner` and `centre` are where the tile's pixels begin and where they are shaded; `level` says that all
-// samples of a pixel have the same depth.
-template <class Key>
-TERRAZZO_INLINE void test_samples(Key key, const FragmentState& state, int depth_bits,
-                                  const Primitive& primitive, const Interpolator& corner,
-                                  const Interpolator& centre, bool level, const Bin& bin, int tile,
-                                  SampleMasks& masks) {
-    const FragmentKey& k = key.value;
-    if (!state.multisample)
-        return test_first_sample(key, state, depth_bits, primitive, centre, bin, tile, masks);
     const bool depths_alike = !k.depth_test || bin.depth_alike[tile],
                stencils_alike = !k.stencil_test || bin.stencil_alike[tile];
-    if (level && depths_alike && stencils_alike && masks.alike()) {
-        const uint32_t pass =
-            depth_stencil_test(key, state, depth_bits, primitive, centre, bin, tile, masks.of[0]);
-        for (uint32_t& mask : masks.of) mask = pass;
-        return;
-    }
-    if (k.depth_write) spread_tile(bin.depth, tile, sizeof *bin.depth, bin.depth_alike);
-    if (k.stencil_test) spread_tile(bin.stencil, tile, sizeof *bin.stencil, bin.stencil_alike);
-    for (int s = 0; s < kMaxSamples; ++s) {
+    const bool level = primitive.dadx()[0] == 0 && primitive.dady()[0] == 0;
+    const bool once = !state.multisample || (level && depths_alike && stencils_alike && masks.alike());
+    const uint32_t tested = masks.of[0];
+    if (!once && k.depth_write) spread_tile(bin.depth, tile, sizeof *bin.depth, bin.depth_alike);
+    if (!once && k.stencil_test) spread_tile(bin.stencil, tile, sizeof *bin.stencil, bin.stencil_alike);
+    for (int s = 0; s < (once ? 1 : kMaxSamples); ++s) {
         if (masks.of[s] == 0) continue;
         Bin planes = planes_of_sample(bin, s, k.color_format);
         if (k.depth_test && bin.depth_alike[tile]) planes.depth = bin.depth;
-        const SamplePosition at = kSamplePositions[s];
+        const SamplePosition place = kSamplePositions[s];
+        const Interpolator at = once || level ? centre
+                                              : corner.at_offset(static_cast<float>(place.x) / 256.0f,
+                                                                 static_cast<float>(place.y) / 256.0f);
         masks.of[s] =
-            level ? depth_stencil_test(key, state, depth_bits, primitive, centre, planes, tile, masks.of[s])
-                  : depth_stencil_test(key, state, depth_bits, primitive,
-                                       corner.at_offset(static_cast<float>(at.x) / 256.0f,
-                                                        static_cast<float>(at.y) / 256.0f),
-                                       planes, tile, masks.of[s]);
+            depth_stencil_test(key, state, state.depth_bits, primitive, at, planes, tile, masks.of[s]);
     }
+    if (!once) return;
+    for (uint32_t& mask : masks.of) mask = masks.of[0];
+    if (k.depth_write && !bin.depth_alike[tile]) copy_to_samples(bin.depth, tile, masks.of[0]);
+    if (k.stencil_test && !bin.stencil_alike[tile]) copy_to_samples(bin.stencil, tile, tested);
 }
 
 // Makes the tile ready for a store of one colour a pixel through the masks. Whether the first sample's planes
@@ -129,7 +113,6 @@ TERRAZZO_INLINE void shade_samples(Key key, const FragmentState& state, const Pr
     const SharedByTiles shared(key, state);
     Interpolator corner(primitive, Key::kTakesSteep && primitive.steep);
     const float to_centre = state.multisample ? 0.5f : 0.0f;
-    const bool level = primitive.dadx()[0] == 0 && primitive.dady()[0] == 0;
     const bool tests = k.depth_test || k.stencil_test;
     const bool early =
         k.alpha_func == Compare::kAlways && k.coverage != Coverage::kPoint && !k.alpha_to_coverage;
@@ -142,7 +125,7 @@ TERRAZZO_INLINE void shade_samples(Key key, const FragmentState& state, const Pr
         const Interpolator centre = corner.at_offset(to_centre, to_centre);
         if (k.polygon_stipple) masks.keep(stippled_pixels(state, x, y));
         if (early && tests && masks.any() != 0)
-            test_samples(key, state, shared.depth_bits, primitive, corner, centre, level, bin, tile, masks);
+            test_samples(key, state, primitive, corner, centre, bin, tile, masks);
         uint32_t pixels = masks.any();
         if (pixels == 0) continue;
         if (k.counts_samples && early) passed += masks.count();
@@ -169,8 +152,7 @@ TERRAZZO_INLINE void shade_samples(Key key, const FragmentState& state, const Pr
         if (!early) {
             masks.keep(bits_of(alpha_test(k.alpha_func, state, k.color_format, color.a)));
             if (tests && masks.any() != 0)
-                test_samples(key, state, shared.depth_bits, primitive, corner, centre, level, bin, tile,
-                             masks);
+                test_samples(key, state, primitive, corner, centre, bin, tile, masks);
             if (masks.any() == 0) continue;
             if (k.counts_samples) passed += masks.count();
         }
