@@ -47,7 +47,7 @@ inline constexpr int64_t kEdgeLimit = int64_t{1} << 30;
 
 TERRAZZO_INLINE int32_t edge_at(const Edge& edge, int x, int y) {
     const int64_t value = edge.c + int64_t{edge.step_x} * x + int64_t{edge.step_y} * y;
-    return static_cast<int32_t>(std::clamp(value, -kEdgeLimit, kEdgeLimit));
+    return static_cast<int32_t>(value < -kEdgeLimit ? -kEdgeLimit : value > kEdgeLimit ? kEdgeLimit : value);
 }
 
 // The same at one of a pixel's samples; the only one is at the pixel's centre.

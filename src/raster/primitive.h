@@ -68,9 +68,9 @@ struct Primitive {
         TileData tile_data;
     };
 
-    const float* a0() const { return reinterpret_cast<const float*>(this + 1); }
-    const float* dadx() const { return a0() + plane_count; }
-    const float* dady() const { return a0() + 2 * plane_count; }
+    [[gnu::always_inline]] const float* a0() const { return reinterpret_cast<const float*>(this + 1); }
+    [[gnu::always_inline]] const float* dadx() const { return a0() + plane_count; }
+    [[gnu::always_inline]] const float* dady() const { return a0() + 2 * plane_count; }
     float* planes() { return reinterpret_cast<float*>(this + 1); }
 
     static constexpr uint32_t size_of(int plane_count) {

@@ -33,7 +33,7 @@ inline constexpr int kBinPixels = kBinSize * kBinSize;
 inline constexpr int kBinTiles = kBinPixels / kTilePixels;
 inline constexpr int kTilesAcross = kBinSize / kTileSize;
 
-constexpr int bytes_per_pixel(ColorFormat format) {
+[[gnu::always_inline]] constexpr int bytes_per_pixel(ColorFormat format) {
     switch (format) {
         case ColorFormat::kRgba8:
             return 4;
