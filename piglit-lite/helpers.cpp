@@ -146,6 +146,16 @@ void draw_solid(const Gl& gl, const Solid& solid, unsigned parts) {
         gl.DisableClientState(array);
 }
 
+void lit_torus(const Gl& gl, float turn) {
+    camera(gl, 45, 3);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Enable(GL_LIGHTING);
+    gl.Enable(GL_LIGHT0);
+    gl.Rotatef(turn, 1, 0.4F, 0);
+    draw_solid(gl, make_torus(0.8F, 0.35F, 28, 14), kNormals);
+    gl.Disable(GL_LIGHTING);
+}
+
 void rectangle(const Gl& gl, float x0, float y0, float x1, float y1, float z) {
     gl.Begin(GL_QUADS);
     gl.Vertex3f(x0, y0, z);

@@ -48,6 +48,8 @@ Solid make_grid(float half_edge, int cells);  // in the xy plane, normal +z
 
 enum SolidParts : unsigned { kPositions = 0, kNormals = 1, kTextures = 2, kColours = 4 };
 void draw_solid(const Gl& gl, const Solid& solid, unsigned parts);
+// A torus in light, seen by a camera of its own, turned by degrees; leaves the depth test on.
+void lit_torus(const Gl& gl, float turn);
 
 // A quad in the current coordinates; texture 0..tiles.
 void rectangle(const Gl& gl, float x0, float y0, float x1, float y1, float z = 0);

@@ -26,16 +26,6 @@ void attach(const Gl& gl, GLenum point, GLuint name) {
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, name);
 }
 
-void lit_torus(const Gl& gl, float turn) {
-    camera(gl, 45, 3);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.Enable(GL_LIGHTING);
-    gl.Enable(GL_LIGHT0);
-    gl.Rotatef(turn, 1, 0.4F, 0);
-    draw_solid(gl, make_torus(0.8F, 0.35F, 28, 14), kNormals);
-    gl.Disable(GL_LIGHTING);
-}
-
 void clear(const Gl& gl, float r, float g, float b) {
     gl.ClearColor(r, g, b, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);

@@ -67,16 +67,6 @@ void star(const Gl& gl, float x, float y, float radius, int rays, float z = 0) {
     gl.End();
 }
 
-void torus(const Gl& gl, float turn) {
-    camera(gl, 45, 3);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.Enable(GL_LIGHTING);
-    gl.Enable(GL_LIGHT0);
-    gl.Rotatef(turn, 1, 0.4F, 0);
-    draw_solid(gl, make_torus(0.8F, 0.35F, 28, 14), kNormals);
-    gl.Disable(GL_LIGHTING);
-}
-
 }  // namespace
 
 SCENE(multisample_triangles, "triangles through one another in four samples, with depth and stencil") {
@@ -95,7 +85,7 @@ SCENE(multisample_triangles, "triangles through one another in four samples, wit
 
 SCENE(multisample_lit_torus, "a lit solid, its silhouette smooth, cut by user planes and the view volume") {
     const Object object(gl);
-    torus(gl, 40);
+    lit_torus(gl, 40);
     gl.LoadIdentity();
     gl.Translatef(0, 0, -1.4F);
     gl.Enable(GL_LIGHTING);
@@ -373,16 +363,16 @@ SCENE(multisample_formats, "colour and depth formats of renderbuffers") {
     for (int cell = 0; cell < 4; ++cell) {
         const Object object(gl, 4, formats[cell], depths[cell], 100, 90);
         notes.value("status", gl.CheckFramebufferStatus(GL_FRAMEBUFFER));
-        torus(gl, 30 + 20.0F * static_cast<float>(cell));
+        lit_torus(gl, 30 + 20.0F * static_cast<float>(cell));
         object.show(cell % 2 * 128 + 10, cell / 2 * 128 + 10);
     }
 }
 
 SCENE(multisample_blits, "blits between multisampled objects, into one and out of it") {
     const Object first(gl);
-    torus(gl, 20);
+    lit_torus(gl, 20);
     const Object plain(gl, 0);
-    torus(gl, 100);
+    lit_torus(gl, 100);
     gl.Disable(GL_DEPTH_TEST);
     const Object second(gl);
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, first.name());
