@@ -43,27 +43,36 @@ bool buffer_has(GLFWwindow* window, const Pixels& picture) {
            std::memcmp(shown, picture, sizeof picture) == 0;
 }
 
-// The server's window has 8 bits a component, red first, as on_display.py starts it.
-bool screen_has(GLFWwindow* window, const Pixels& picture) {
+// What the server shows. Its window has 8 bits a component, red first, as on_display.py starts it.
+bool read_screen(GLFWwindow* window, Pixels& picture) {
     Display* const display = glfwGetX11Display();
     XSync(display, 0);
     XImage* const image =
         XGetImage(display, glfwGetX11Window(window), 0, 0, kPictureWidth, kPictureHeight, AllPlanes, ZPixmap);
     if (!image) return false;
-    int off = 0;
     for (int y = 0; y < kPictureHeight; ++y) {
         for (int x = 0; x < kPictureWidth; ++x) {
-            const unsigned char* const rgba = picture[kPictureHeight - 1 - y][x];
-            const unsigned long value = XGetPixel(image, x, y) & 0xffffff;
-            off += value != (rgba[0] * 65536ul + rgba[1] * 256ul + rgba[2]);
+            const unsigned long value = XGetPixel(image, x, y);
+            unsigned char* const rgba = picture[kPictureHeight - 1 - y][x];
+            for (int c = 0; c < 3; ++c) rgba[c] = static_cast<unsigned char>(value >> (16 - 8 * c));
+            rgba[3] = 255;
         }
     }
     XDestroyImage(image);
+    return true;
+}
+
+bool screen_has(GLFWwindow* window, const Pixels& picture) {
+    static Pixels screen;
+    if (!read_screen(window, screen)) return false;
+    int off = 0;
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x) off += std::memcmp(screen[y][x], picture[y][x], 3) != 0;
     if (off > 0) std::fprintf(stderr, "%d pixels of the screen are others\n", off);
     return off == 0;
 }
 
-int draw_in(GLFWwindow* window, const char* path) {
+int draw_in(GLFWwindow* window, bool multisampled, const char* path) {
     static Pixels read;
     glfwMakeContextCurrent(window);
     if (glfwGetCurrentContext() != window) return EXIT_FAILURE;
@@ -72,6 +81,8 @@ int draw_in(GLFWwindow* window, const char* path) {
     gl.Finish();
     gl.ReadPixels(0, 0, kPictureWidth, kPictureHeight, GL_RGBA, GL_UNSIGNED_BYTE, read);
     glfwSwapBuffers(window);
+    // Mesa reads one sample of each pixel of such a window: what counts is what it shows.
+    if (multisampled) return read_screen(window, read) ? hand_over(path, &read[0][0][0]) : EXIT_FAILURE;
     const bool osmesa = glfwGetWindowAttrib(window, GLFW_CONTEXT_CREATION_API) == GLFW_OSMESA_CONTEXT_API;
     if (!(osmesa ? buffer_has(window, read) : screen_has(window, read))) {
         std::fprintf(stderr, "the window has another picture\n");
@@ -92,10 +103,11 @@ int main(int count, char** arguments) {
     glfwSetErrorCallback([](int, const char* text) { std::fprintf(stderr, "GLFW: %s\n", text); });
     if (!glfwInit()) return 77;
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, creation_api(arguments[1]));
-    glfwWindowHint(GLFW_SAMPLES, std::strstr(arguments[1], "-multisampled") ? 4 : 0);
+    const bool multisampled = std::strstr(arguments[1], "-multisampled") != nullptr;
+    glfwWindowHint(GLFW_SAMPLES, multisampled ? 4 : 0);
     glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
     GLFWwindow* const window = glfwCreateWindow(kPictureWidth, kPictureHeight, "Terrazzo", nullptr, nullptr);
-    const int status = window ? draw_in(window, arguments[2]) : EXIT_FAILURE;
+    const int status = window ? draw_in(window, multisampled, arguments[2]) : EXIT_FAILURE;
     glfwTerminate();
     return status;
 }

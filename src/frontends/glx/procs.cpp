@@ -119,6 +119,7 @@ const Procedure* find_procedure(const char* name) {
 const char* extensions() {
     return "GLX_ARB_context_flush_control GLX_ARB_create_context GLX_ARB_create_context_no_error "
            "GLX_ARB_create_context_profile GLX_ARB_create_context_robustness GLX_ARB_get_proc_address "
+           "GLX_ARB_multisample "
            "GLX_EXT_buffer_age GLX_EXT_no_config_context GLX_EXT_swap_control GLX_EXT_texture_from_pixmap "
            "GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_copy_sub_buffer GLX_MESA_query_renderer "
            "GLX_MESA_swap_control GLX_OML_sync_control GLX_SGIX_fbconfig GLX_SGIX_pbuffer "
