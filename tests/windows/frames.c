@@ -1,10 +1,15 @@
-// Three frames in a window whose primitives and pixels can be counted by hand, for `terrazzo run`.
-// Exits with 77 when there is no display.
+// Three frames whose primitives and pixels can be counted by hand, for `terrazzo run`: in a window, or,
+// compiled with WITH_OSMESA, in memory. Exits with 77 when there is no display.
 #include <GL/gl.h>
+#ifdef WITH_OSMESA
+#include <GL/osmesa.h>
+#else
 #include <GL/glx.h>
+#endif
 
 enum { kWidth = 160, kHeight = 120, kFrames = 3 };
 
+#ifndef WITH_OSMESA
 static Window open_window(Display* display, XVisualInfo* visual) {
     const Window root = RootWindow(display, visual->screen);
     XSetWindowAttributes attributes = {.colormap = XCreateColormap(display, root, visual->visual, AllocNone)};
@@ -13,6 +18,7 @@ static Window open_window(Display* display, XVisualInfo* visual) {
     XMapWindow(display, window);
     return window;
 }
+#endif
 
 static void triangle(float x, float y, float width, float height, float z) {
     glBegin(GL_TRIANGLES);
@@ -41,6 +47,28 @@ static void draw(int frame) {
     rectangle(60, 30, -20, 10, 0.5f);
 }
 
+static void set_up(void) {
+    glMatrixMode(GL_PROJECTION);
+    glOrtho(0, kWidth, 0, kHeight, -1, 1);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+}
+
+#ifdef WITH_OSMESA
+int main(void) {
+    static unsigned char picture[kHeight][kWidth][4];
+    const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 16, 0, 0, 0);
+    if (!OSMesaMakeCurrent(context, picture, GL_UNSIGNED_BYTE, kWidth, kHeight)) return 1;
+    set_up();
+    for (int frame = 0; frame < kFrames; ++frame) {
+        draw(frame);
+        glFinish();
+    }
+    const GLenum error = glGetError();
+    OSMesaDestroyContext(context);
+    return error != GL_NO_ERROR;
+}
+#else
 int main(void) {
     Display* const display = XOpenDisplay(0);
     if (!display) return 77;
@@ -50,10 +78,7 @@ int main(void) {
     const Window window = open_window(display, visual);
     const GLXContext context = glXCreateContext(display, visual, 0, True);
     if (!glXMakeCurrent(display, window, context)) return 1;
-    glMatrixMode(GL_PROJECTION);
-    glOrtho(0, kWidth, 0, kHeight, -1, 1);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
+    set_up();
     for (int frame = 0; frame < kFrames; ++frame) {
         draw(frame);
         glXSwapBuffers(display, window);
@@ -66,3 +91,4 @@ int main(void) {
     XCloseDisplay(display);
     return error != GL_NO_ERROR;
 }
+#endif

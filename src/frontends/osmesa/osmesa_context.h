@@ -19,8 +19,7 @@ namespace terrazzo::osmesa {
 // The client's buffer as something to draw to.
 class ClientBuffer : public gl::Drawable {
   public:
-    explicit ClientBuffer(osmesa_context& context)
-        : Drawable(gl::Buffering::kSingleByEitherName), m_context(context) {}
+    explicit ClientBuffer(osmesa_context& context);
 
     // Copies the finished picture to the client's buffer, and depth if the client has asked for it.
     void show_front(gl::Context& ctx) override;

@@ -1,11 +1,37 @@
-// The copy from our render target to the client's buffer.
+// The copy from our render target to the client's buffer, and to whoever watches.
 #include <GL/osmesa.h>
+
+#include <vector>
 
 #include "frontends/osmesa/formats.h"
 #include "frontends/osmesa/osmesa_context.h"
+#include "frontends/window/watch.h"
 #include "gl/surface.h"
 
 namespace terrazzo::osmesa {
+
+namespace {
+
+// What comes to the client's buffer is a frame to `terrazzo run`. It is told without the time of the copy,
+// which is part of drawing the last bins.
+void tell_watcher(gl::Context& ctx, int width, int height) {
+    if (!window::is_watched()) return;
+    std::vector<std::byte> rows;
+    if (window::wants_pictures()) {
+        const std::ptrdiff_t stride = std::ptrdiff_t{4} * width;
+        rows.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
+        gl::copy_picture(ctx, gl::ColorBuffer::kFront, pipeline::PixelLayout::kRgba8,
+                         rows.data() + (height - 1) * stride, -stride);
+    }
+    window::watch_frame(width, height, 0, rows.empty() ? nullptr : rows.data());
+}
+
+}  // namespace
+
+ClientBuffer::ClientBuffer(osmesa_context& context)
+    : Drawable(gl::Buffering::kSingleByEitherName), m_context(context) {
+    window::is_watched();  // a watcher is told of everything that is drawn here, so find it before
+}
 
 void ClientBuffer::show_front(gl::Context& ctx) {
     osmesa_context& context = m_context;
@@ -19,6 +45,7 @@ void ClientBuffer::show_front(gl::Context& ctx) {
                          -stride);
     }
     if (!context.depth.empty()) read_depth(context);
+    tell_watcher(ctx, context.width, context.height);
 }
 
 void read_depth(osmesa_context& context) {
