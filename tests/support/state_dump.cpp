@@ -479,9 +479,10 @@ void dump_objects(const Objects& objects, const Parameters& parameters, Floats f
 
 // The buffer objects that are bound; as many lines where there are none.
 void dump_buffers(const kit::Gl& gl, Dump& dump) {
-    for (const auto& [target, binding] : kBufferTargets) {
+    for (const BufferTarget& buffer : kBufferTargets) {
+        const Name& target = buffer.target;
         GLint bound = 0;
-        gl.GetIntegerv(binding, &bound);
+        gl.GetIntegerv(buffer.binding, &bound);
         for (const Name& parameter : kBufferParameters) {
             dump.push_back(
                 query_line<GLint>(std::string(target.text) + '.' + parameter.text, "int", 1, [&](auto* p) {

@@ -93,8 +93,8 @@ std::vector<Config> make_configs(const x11::Screen* screen) {
     std::vector<std::optional<x11::Visual>> looks;
     if (screen) {
         std::vector<x11::Visual> visuals = screen->visuals;
-        std::ranges::stable_partition(visuals,
-                                      [&](const x11::Visual& v) { return v.id == screen->root_visual; });
+        std::stable_partition(visuals.begin(), visuals.end(),
+                              [&](const x11::Visual& v) { return v.id == screen->root_visual; });
         for (const x11::Visual& visual : visuals) {
             const bool known = std::ranges::any_of(looks, [&](const auto& look) {
                 return look->visual_class == visual.visual_class && look->image.depth == visual.image.depth &&

@@ -135,7 +135,8 @@ std::vector<Config> make_configs(const x11::Screen& screen, int number, int firs
         return a.visual_class == b.visual_class && a.image.depth == b.image.depth && a.layout == b.layout;
     };
     std::vector<x11::Visual> visuals = screen.visuals;
-    std::ranges::stable_partition(visuals, [&](const x11::Visual& v) { return v.id == screen.root_visual; });
+    std::stable_partition(visuals.begin(), visuals.end(),
+                          [&](const x11::Visual& v) { return v.id == screen.root_visual; });
     for (const x11::Visual& visual : visuals) {
         const auto group =
             std::ranges::find_if(groups, [&](const auto& g) { return same(g.front(), visual); });
