@@ -145,6 +145,15 @@ SCENE(depth_clamp,
         gl.GetBooleanv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
         notes.value("valid", valid);
         notes.value("depth of the raster position", window[2], 1e-6);
+        // Its depth was clamped when the raster position was set; the range of now does not matter.
+        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        const GLubyte bits[8] = {255, 255, 255, 255, 255, 255, 255, 255};
+        gl.DepthRange(0.35, 0.45);
+        gl.DepthFunc(GL_ALWAYS);
+        gl.Color3f(0.2F, 0.8F, 0.4F);
+        gl.RasterPos3f(0, -0.6F, 0.4F);
+        gl.DepthRange(0.6, 0.9);
+        gl.Bitmap(8, 8, 0, 0, 0, 0, bits);
         if (cell == 3) gl.Disable(GL_DEPTH_CLAMP);
         notes.value("clamping", gl.IsEnabled(GL_DEPTH_CLAMP));
     });

@@ -522,7 +522,8 @@ void count_samples(const Context& ctx, pipeline::FragmentBlock& block) {
     block.images.push_back(ctx.queries.active->counter);
 }
 
-// What reaches beyond 0..1 is cut off there in any case.
+// What reaches beyond 0..1 is cut off there in any case. The depths of bitmaps and pixel rectangles are the
+// raster position's, which was clamped when it was set: the reference's way.
 void clamp_depths(const Context& ctx, raster::FragmentState& state) {
     const ViewportState& viewport = ctx.framebuffer.viewport;
     const auto [low, high] = std::minmax(viewport.near_depth, viewport.far_depth);
@@ -585,10 +586,6 @@ bool shows_image(const raster::FragmentState& state) {
            key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways &&
            !key.alpha_to_coverage && !key.alpha_to_one && key.texture == raster::TextureKind::kNone;
 }
-
-}  // namespace
-
-namespace {
 
 // GL 3.0 §4.3.1: of what happens to fragments, pixels of depth and stencil undergo only the scissor test.
 std::shared_ptr<const pipeline::FragmentBlock> make_depth_image_fragment(const Context& ctx) {

@@ -111,11 +111,6 @@ bool make_line(const float (&p)[2], const float (&q)[2], float width, Line& line
     return true;
 }
 
-// The first pixel whose centre is at or beyond a sub-pixel position, or only beyond it.
-int32_t first_centre(int32_t position, bool beyond) {
-    return (position + 255 + (beyond ? 1 : 0)) >> 8;
-}
-
 }  // namespace
 
 void PrimitiveSetup::line(int a, int b) {
@@ -129,12 +124,10 @@ void PrimitiveSetup::line(int a, int b) {
     Line line;
     if (!(multisample ? make_rectangle : make_line)(p, q, m_state.raster.line_width, line)) return;
 
-    const bool row0_is_top = m_state.raster.row0_is_top;
     const auto [low_x, high_x] = std::minmax_element(line.x, line.x + 4);
     const auto [low_y, high_y] = std::minmax_element(line.y, line.y + 4);
     const Box box = multisample ? touched_pixels(*low_x, *low_y, *high_x, *high_y)
-                                : Box{first_centre(*low_x, false), first_centre(*low_y, row0_is_top),
-                                      first_centre(*high_x, false), first_centre(*high_y, row0_is_top)};
+                                : pixels_within(*low_x, *low_y, *high_x, *high_y);
     raster::Primitive* const primitive = new_primitive(m_state.fragment->line, box, 4);
     if (primitive == nullptr) return;
     set_edges(*primitive, line.x, line.y);

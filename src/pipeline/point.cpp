@@ -16,11 +16,6 @@ int32_t first_pixel(int32_t position, int32_t size) {
     return size & 1 ? (position >> 8) - (size - 1) / 2 : ((position + 128) >> 8) - size / 2;
 }
 
-// The first pixel whose centre is at or beyond a sub-pixel position, or only beyond it.
-int32_t first_centre(int32_t position, bool beyond) {
-    return (position + 255 + (beyond ? 1 : 0)) >> 8;
-}
-
 }  // namespace
 
 float PrimitiveSetup::point_size(int v) const {
@@ -66,12 +61,9 @@ void PrimitiveSetup::sprite(int v) {
     const int32_t x0 = snap_away(window_x - origin) - size / 2, y0 = snap_away(window_y - origin) - size / 2;
     const bool row0_is_top = m_state.raster.row0_is_top;
     const bool multisample = m_state.fragment->point.multisample;
-    raster::Primitive* const p =
-        multisample ? constant_square(v, touched_pixels(x0, y0, x0 + size, y0 + size), 4)
-                    : constant_square(v,
-                                      {first_centre(x0, false), first_centre(y0, row0_is_top),
-                                       first_centre(x0 + size, false), first_centre(y0 + size, row0_is_top)},
-                                      0);
+    raster::Primitive* const p = multisample
+                                     ? constant_square(v, touched_pixels(x0, y0, x0 + size, y0 + size), 4)
+                                     : constant_square(v, pixels_within(x0, y0, x0 + size, y0 + size), 0);
     if (p == nullptr) return;
     if (multisample) {
         set_edges(*p, {x0, x0 + size, x0 + size, x0}, {y0 + size, y0 + size, y0, y0});

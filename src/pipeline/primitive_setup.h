@@ -57,6 +57,12 @@ class PrimitiveSetup {
     void sprite(int v);
     raster::Primitive* constant_square(int v, const Box& box, int edge_count);
 
+    // The pixels whose centres a rectangle of sub-pixels holds. Of its borders the left one counts, and the
+    // one that is lower in GL's orientation.
+    Box pixels_within(int32_t x0, int32_t y0, int32_t x1, int32_t y1) const {
+        const int32_t beyond = m_state.raster.row0_is_top ? 256 : 255;
+        return {(x0 + 255) >> 8, (y0 + beyond) >> 8, (x1 + 255) >> 8, (y1 + beyond) >> 8};
+    }
     // Whatever pixel a rectangle of sub-pixels touches, counted from its corner.
     static Box touched_pixels(int32_t x0, int32_t y0, int32_t x1, int32_t y1) {
         return {x0 >> 8, y0 >> 8, (x1 >> 8) + 1, (y1 >> 8) + 1};
