@@ -139,13 +139,15 @@ void read_widened(Target& target, int x, int row, int count, float* rgba) {
 
 // Means of samples, which have their fractions.
 void read_means(Target& target, int x, int row, int count, float* rgba) {
-    for (int i = 0; i < count; ++i, rgba += 4) {
-        const int index = row / kBinSize * target.bins_across() + (x + i) / kBinSize;
+    for (const int end = x + count; x < end;) {
+        const int index = row / kBinSize * target.bins_across() + x / kBinSize;
         target.materialize(index);
-        float mean[4];
-        mean_of_samples(target.bin(index), target.format().color,
-                        raster::pixel_index((x + i) % kBinSize, row % kBinSize), mean);
-        std::copy_n(mean, 4, rgba);
+        const Bin bin = target.bin(index);
+        for (const int last = std::min(end, bin.x + kBinSize); x < last; ++x, rgba += 4) {
+            float mean[4];
+            mean_of_samples(bin, target.format().color, raster::pixel_index(x - bin.x, row % kBinSize), mean);
+            std::copy_n(mean, 4, rgba);
+        }
     }
 }
 
