@@ -130,6 +130,7 @@ PixelGrid box_grid(const pipeline::RasterState& box) {
 }
 
 void return_colors(Context& ctx, float value) {
+    begin_drawing(ctx);
     const pipeline::RasterState box = box_of(ctx);
     const PixelGrid grid = box_grid(box);
     if (grid.empty() || ctx.framebuffer.draw_buffer == GL_NONE) return;
@@ -138,7 +139,6 @@ void return_colors(Context& ctx, float value) {
     const float scale = value / kOne;
     const raster::ColorFormat format = ctx.surface.format.color;
     const auto draw = [&](raster::PixelImage image, const pipeline::PixelRect& rect) {
-        ctx.surface.drawn = true;
         ctx.renderer.draw(box, return_fragment(ctx, image), rect);
     };
     if (format == raster::ColorFormat::kRgba8) {

@@ -84,6 +84,7 @@ void mask_tiles(const Context& ctx, GLsizei width, const void* bitmap, const Pla
 }
 
 void draw_bitmap(Context& ctx, GLsizei width, GLsizei height, int x, int y, const void* bitmap) {
+    begin_drawing(ctx);
     const int64_t right = std::min<int64_t>(int64_t{x} + width, ctx.surface.width);
     const int64_t top = std::min<int64_t>(int64_t{y} + height, ctx.surface.height);
     const Part part{std::max(-x, 0), std::max(-y, 0), static_cast<int>(right - x), static_cast<int>(top - y)};

@@ -181,6 +181,8 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
     if (!check_framebuffer(ctx) || !check_read_framebuffer(ctx)) return;
     if (!ctx.surface.draw || !ctx.surface.draw->target() || !has_read_source(ctx))
         return record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer");
+    flush_vertices(ctx);
+    begin_drawing(ctx);
     const raster::TargetFormat &from = ctx.surface.read->target()->format(), &to = ctx.surface.format;
     const bool depth = (mask & GL_DEPTH_BUFFER_BIT) && from.depth_bits != 0 && to.depth_bits != 0;
     const bool stencil = (mask & GL_STENCIL_BUFFER_BIT) && from.stencil_bits != 0 && to.stencil_bits != 0;
@@ -192,7 +194,6 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
                            std::abs(int64_t{srcY1} - srcY0) == std::abs(int64_t{dstY1} - dstY0);
     if ((from.samples > 1 || to.samples > 1) && !same_size)
         return record_error(ctx, GL_INVALID_OPERATION, "samples are not scaled");
-    flush_vertices(ctx);
     const ReadSource source(ctx);
     pipeline::RasterState box;
     scissor_box(ctx, box);
@@ -201,7 +202,6 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
     const Axis up(srcY0, srcY1, dstY0, dstY1, source.target().height(), static_cast<int>(rows.first),
                   static_cast<int>(rows.end));
     if (across.first >= across.last || up.first >= up.last) return;
-    ctx.surface.drawn = true;
     const Blit blit(ctx, source, across, up);
     if (from.samples > 1 && to.samples > 1) return blit.samples({color, depth, stencil});
     if (color) filter == GL_LINEAR ? blit.linear_colors() : blit.nearest_colors();

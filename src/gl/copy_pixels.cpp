@@ -113,6 +113,7 @@ void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
     if (!is_there(ctx, type)) return record_error(ctx, GL_INVALID_OPERATION, "there is no such buffer");
     if (!ctx.raster_position.valid || !has_read_source(ctx)) return;
     if (ctx.render_mode.mode != GL_RENDER) return capture_raster(ctx, GL_COPY_PIXEL_TOKEN);
+    begin_drawing(ctx);
     PixelGrid grid = make_pixel_grid(ctx, width, height);
     if (grid.empty()) return;
     CopiedRect copied, depths;

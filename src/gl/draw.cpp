@@ -21,7 +21,7 @@ void begin_change(Context& ctx, Dirty what) {
 void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
                      const pipeline::VertexRange& range, bool w_is_one) {
     if (ctx.render_mode.mode != GL_RENDER) return capture_primitives(ctx, mode, input, range, w_is_one);
-    if (!ctx.surface.drawn) begin_picture(ctx);
+    begin_drawing(ctx);
     validate(ctx, input, w_is_one);
     ctx.renderer.draw(ctx.drawing.state, input, translate_mode(mode), range);
 }
@@ -47,7 +47,7 @@ void clear(Context& ctx, GLbitfield mask) {
     if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
     if (!check_framebuffer(ctx)) return;
     flush_vertices(ctx);
-    if (!ctx.surface.drawn) begin_picture(ctx);
+    begin_drawing(ctx);
     if (ctx.render_mode.mode != GL_RENDER) return;
     if (mask & GL_ACCUM_BUFFER_BIT) clear_accumulation(ctx);
     const raster::TargetFormat& target = ctx.surface.format;
@@ -78,7 +78,6 @@ void clear(Context& ctx, GLbitfield mask) {
         box.x0 == 0 && box.y0 == 0 && box.x1 == ctx.surface.width && box.y1 == ctx.surface.height;
     if (!whole || (clear.color_mask & channels) != channels)
         raster::round_as_drawn(target.color, clear.values.color);
-    ctx.surface.drawn = true;
     ctx.renderer.clear(clear);
 }
 

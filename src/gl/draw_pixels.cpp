@@ -159,6 +159,7 @@ void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLe
     if (ctx.render_mode.mode != GL_RENDER) return capture_raster(ctx, GL_DRAW_PIXEL_TOKEN);
     const PixelMemory memory = find_image(ctx, ctx.pixels.unpack, {width, height}, format, type, pixels);
     if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    begin_drawing(ctx);
     const PixelGrid grid = make_pixel_grid(ctx, width, height);
     if (!grid.empty()) draw_rows(ctx, format, grid, ClientRows(ctx, width, format, type, memory.data));
 }

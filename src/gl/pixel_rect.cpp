@@ -58,7 +58,6 @@ void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect
     // The reference's quad goes through a viewport of its own: these are its roundings.
     rect.z = (ctx.raster_position.window[2] * 2.0f - 1.0f) * 0.5f + 0.5f;
     fill_varyings(ctx.raster_position, ctx.drawing.raster_fragment->point.varyings, rect.varyings.data());
-    ctx.surface.drawn = true;
     ctx.renderer.draw(ctx.drawing.raster_box, ctx.drawing.raster_fragment, rect);
 }
 

@@ -18,7 +18,8 @@ inline float bounded(float coordinate) {
 
 // Queues `rect`, whose pixels and data are filled in, with the depth, colours, texture coordinates and fog
 // distance of the current raster position. `past_tests`: depths go to their buffer through its mask, and
-// nothing else happens, as with stencil values in any case. Throws std::bad_alloc.
+// nothing else happens, as with stencil values in any case. begin_drawing() has been called. Throws
+// std::bad_alloc.
 void draw_pixel_rect(Context& ctx, raster::PixelImage image, pipeline::PixelRect& rect,
                      bool past_tests = false);
 

@@ -58,8 +58,8 @@ void follow_drawables(Context& ctx) {
     use_target(ctx, ctx.surface.draw.get());
 }
 
-void begin_picture(Context& ctx) {
-    ctx.surface.drawn = true;
+void begin_drawing(Context& ctx) {
+    if (std::exchange(ctx.surface.drawn, true)) return;
     if (!ctx.surface.draw) return;
     ctx.surface.draw->follow_window(Follow::kPictureBegins);
     follow_drawables(ctx);

@@ -41,9 +41,9 @@ void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable);
 // To be called when a drawable of the context may have other buffers than before.
 void follow_drawables(Context& ctx);
 
-// The first drawing since a picture was shown: the window may have another size by now. Throws
-// std::bad_alloc.
-void begin_picture(Context& ctx);
+// To be called before anything is drawn, before the buffers' size is looked at: where it is the first since a
+// picture was shown, the window may have another size by now. Throws std::bad_alloc.
+void begin_drawing(Context& ctx);
 
 // Draws what is queued and shows it if there is anything new to be seen.
 void present(Context& ctx);

@@ -15,27 +15,15 @@
 #include <EGL/eglext.h>
 #include <GL/gl.h>
 
-#include "x_window.h"
+#include "drawing.h"
 
 namespace terrazzo::test {
 namespace {
 
-constexpr Pixel kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255}, kBlack{0, 0, 0};
 
 template <class Function>
 Function* command(const char* name) {
     return reinterpret_cast<Function*>(eglGetProcAddress(name));
-}
-
-void clear_to(const Pixel& color) {
-    glClearColor(color[0] / 255.0f, color[1] / 255.0f, color[2] / 255.0f, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-}
-
-Pixel read(int x, int y) {
-    GLubyte bytes[4] = {};
-    glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-    return {bytes[0], bytes[1], bytes[2]};
 }
 
 class Egl : public testing::Test {
@@ -162,13 +150,7 @@ TEST_F(Egl, MultisampledSurfacesHaveSmoothEdges) {
     const Pixel half{128, 0, 0};
     for (const EGLSurface target : {hidden, surface}) {
         ASSERT_TRUE(eglMakeCurrent(egl, target, target, ctx));
-        clear_to(kBlack);
-        glColor3f(1, 0, 0);
-        glBegin(GL_TRIANGLES);
-        glVertex2f(-1, -1);
-        glVertex2f(1, -1);
-        glVertex2f(-1, 1);
-        glEnd();
+        draw_diagonal();
         EXPECT_EQ(read(30, 49), half);
     }
     ASSERT_TRUE(eglSwapBuffers(egl, surface));

@@ -4,6 +4,7 @@
 #define GL_GLEXT_PROTOTYPES
 #include <atomic>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -15,13 +16,12 @@
 #include <GL/gl.h>
 #include <GL/glx.h>
 
-#include "x_window.h"
+#include "drawing.h"
 
 namespace terrazzo::test {
 namespace {
 
 constexpr int kNone = 0;  // GLX lists end with X's None
-constexpr Pixel kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255}, kBlack{0, 0, 0};
 
 template <class Function>
 Function* command(const char* name) {
@@ -77,18 +77,6 @@ class Glx : public testing::Test {
 
     Display* display;
 };
-
-void clear_to(const Pixel& color) {
-    glClearColor(color[0] / 255.0f, color[1] / 255.0f, color[2] / 255.0f, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-}
-
-Pixel read(int x, int y) {
-    GLubyte bytes[3] = {};
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(x, y, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, bytes);
-    return {bytes[0], bytes[1], bytes[2]};
-}
 
 // libglvnd takes another vendor in silence where ours fails to load.
 TEST_F(Glx, TheRendererIsOurs) {
@@ -205,17 +193,6 @@ TEST_F(Glx, SwapShowsTheBackBuffer) {
     glXDestroyContext(display, ctx);
 }
 
-// A triangle over the lower left half of the window.
-void draw_diagonal() {
-    clear_to(kBlack);
-    glColor3f(1, 0, 0);
-    glBegin(GL_TRIANGLES);
-    glVertex2f(-1, -1);
-    glVertex2f(1, -1);
-    glVertex2f(-1, 1);
-    glEnd();
-}
-
 TEST_F(Glx, MultisampledWindowsHaveSmoothEdges) {
     int value = 0;
     glXGetFBConfigAttrib(display, double_buffered(), GLX_SAMPLE_BUFFERS, &value);
@@ -321,6 +298,52 @@ TEST_F(Glx, AYoungWindowIsFollowedWithoutViewport) {
         glXSwapBuffers(display, shown->id());
     }
     EXPECT_EQ(shown->pixel(299, 199), kGreen);
+    glXDestroyContext(display, ctx);
+}
+
+// Whatever comes first in a picture, it has the window's size.
+TEST_F(Glx, PicturesThatBeginWithPixelsFollowTheWindow) {
+    const GLXFBConfig chosen = double_buffered();
+    const GLXContext ctx = context(chosen);
+    const auto draw_pixels = [] {
+        const GLubyte green[4] = {0, 255, 0, 255};
+        command<void(GLint, GLint)>("glWindowPos2i")(0, 0);
+        glPixelZoom(300, 200);
+        glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, green);
+    };
+    const auto draw_bitmap = [] {
+        const std::vector<GLubyte> ones(200 * 40, 255);  // rows of 38 bytes, and of 40 with their alignment
+        glColor3f(0, 1, 0);
+        command<void(GLint, GLint)>("glWindowPos2i")(0, 0);
+        glBitmap(300, 200, 0, 0, 0, 0, ones.data());
+    };
+    const auto blit = [] {
+        GLuint object = 0, buffer = 0;
+        command<void(GLsizei, GLuint*)>("glGenFramebuffers")(1, &object);
+        command<void(GLsizei, GLuint*)>("glGenRenderbuffers")(1, &buffer);
+        command<void(GLenum, GLuint)>("glBindFramebuffer")(GL_FRAMEBUFFER, object);
+        command<void(GLenum, GLuint)>("glBindRenderbuffer")(GL_RENDERBUFFER, buffer);
+        command<void(GLenum, GLenum, GLsizei, GLsizei)>("glRenderbufferStorage")(GL_RENDERBUFFER, GL_RGBA8, 300, 200);
+        command<void(GLenum, GLenum, GLenum, GLuint)>("glFramebufferRenderbuffer")(
+            GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+        clear_to(kGreen);
+        command<void(GLenum, GLuint)>("glBindFramebuffer")(GL_DRAW_FRAMEBUFFER, 0);
+        command<void(GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum)>("glBlitFramebuffer")(
+            0, 0, 300, 200, 0, 0, 300, 200, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        command<void(GLenum, GLuint)>("glBindFramebuffer")(GL_FRAMEBUFFER, 0);
+    };
+    for (const auto& draw : std::vector<std::function<void()>>{draw_pixels, draw_bitmap, blit}) {
+        const auto shown = window(chosen, 32, 32);
+        ASSERT_TRUE(glXMakeCurrent(display, shown->id(), ctx));
+        shown->resize(300, 200);
+        for (int i = 0; i < 2; ++i) {
+            draw();
+            glXSwapBuffers(display, shown->id());
+        }
+        EXPECT_EQ(shown->pixel(299, 0), kGreen);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        ASSERT_TRUE(glXMakeCurrent(display, 0, nullptr));
+    }
     glXDestroyContext(display, ctx);
 }
 
