@@ -1,9 +1,9 @@
 // Stage: child side of the bench and demo commands: draws one scene with one library.
 // Input: JSON {library, scene, model (a file of packed bytes; then scene is only its name), width, height,
-// frame, seconds, animate, samples (of a pixel), planes}. Output: JSON {renderer, version, first_frame_seconds, frames,
-// median_frame_seconds, mean_frame_seconds, peak_resident_kib, errors} and, when asked for, the binary planes
-// colour (RGBA8), depth (u32 steps), stencil. Invariant: every frame ends with glFinish, as an OSMesa client
-// must to see its buffer.
+// frame, seconds, animate, samples (of a pixel), planes}. Output: JSON {renderer, version,
+// first_frame_seconds, frames, median_frame_seconds, mean_frame_seconds, peak_resident_kib, errors} and, when
+// asked for, the binary planes colour (RGBA8), depth (u32 steps), stencil. Invariant: every frame ends with
+// glFinish, as an OSMesa client must to see its buffer.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,8 +12,8 @@ namespace terrazzo {
 
 nlohmann::json draw_task(const nlohmann::json& arguments);
 
-// JSON {library, names (a file of a packed list)}: strings, limits, and which GL 1.0-1.5 commands and which of the
-// names OSMesaGetProcAddress answers NULL for.
+// JSON {library, names (a file of a packed list)}: strings, limits, and which GL 1.0-1.5 commands and which
+// of the names OSMesaGetProcAddress answers NULL for.
 nlohmann::json info_task(const nlohmann::json& arguments);
 
 }  // namespace terrazzo

@@ -57,7 +57,8 @@ struct TextureLevel {
     GLint internal_format = 1;            // as the program named it
     const TexelFormat* format = nullptr;  // how texels are kept; null while nothing is specified
     pipeline::LevelImage image;           // null for an empty image and in proxies
-    std::shared_ptr<const CompressedBlocks> blocks;  // what the texels were decoded from; null where from none
+    std::shared_ptr<const CompressedBlocks>
+        blocks;  // what the texels were decoded from; null where from none
 };
 
 using TextureLevels = std::array<TextureLevel, kMaxTextureLevels>;

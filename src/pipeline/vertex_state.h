@@ -81,7 +81,7 @@ struct VertexState {
     float normal_matrix[9];        // columns of the inverse transpose's upper 3x3
     bool affine = false;           // the last row of mvp is 0 0 0 1
     float viewport_scale[3], viewport_translate[3];
-    bool zero_to_one = false;                   // the near plane is at clip z = 0, not at -w
+    bool zero_to_one = false;  // the near plane is at clip z = 0, not at -w
     float snap_origin = 0.5f;  // what in a pixel sub-pixels are counted from: its centre, or 0 for its corner
     // At the near and the far plane; else the depths of fragments are clamped (ARB_depth_clamp).
     bool clips_depth = true;

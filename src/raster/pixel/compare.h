@@ -1,5 +1,5 @@
-// The eight comparisons of 16 values: floats of alpha (GL 1.5 §4.1.4) and of depth textures (§3.8.14), integers
-// of stencil (§4.1.5) and of depth (§4.1.6).
+// The eight comparisons of 16 values: floats of alpha (GL 1.5 §4.1.4) and of depth textures (§3.8.14),
+// integers of stencil (§4.1.5) and of depth (§4.1.6).
 #pragma once
 
 #include "raster/state.h"
