@@ -85,8 +85,10 @@ Slot<Env> slot_of(Env& env, GLenum pname) {
 
 }  // namespace
 
-bool set_combine_parameter(Context& ctx, TextureEnv& env, GLenum pname, GLfloat value) {
+bool set_combine_parameter(Context& ctx, TextureEnv& env, GLenum pname, const GLfloat* params) {
     const Slot<TextureEnv> slot = slot_of(env, pname);
+    if (!slot.scale && !slot.enumerant) return false;
+    const GLfloat value = *params;
     if (slot.scale) {
         if (value != 1 && value != 2 && value != 4) {
             record_error(ctx, GL_INVALID_VALUE, "the scale is not 1, 2 or 4");
@@ -95,7 +97,6 @@ bool set_combine_parameter(Context& ctx, TextureEnv& env, GLenum pname, GLfloat 
         }
         return true;
     }
-    if (!slot.enumerant) return false;
     const bool is_enumerant = value >= 0 && value < 65536 && slot.allowed(static_cast<GLenum>(value));
     if (!is_enumerant) {
         record_error(ctx, GL_INVALID_ENUM, "no such function, source or operand");

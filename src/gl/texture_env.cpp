@@ -48,7 +48,7 @@ void tex_envfv(Context& ctx, GLenum target, GLenum pname, const GLfloat* params)
     if (target == GL_POINT_SPRITE && pname == GL_COORD_REPLACE) return set_coord_replace(ctx, *params);
     if (target != GL_TEXTURE_ENV) return record_error(ctx, GL_INVALID_ENUM, "target is not GL_TEXTURE_ENV");
     TextureEnv& env = active_unit(ctx).env;
-    if (set_combine_parameter(ctx, env, pname, *params)) return;
+    if (set_combine_parameter(ctx, env, pname, params)) return;
     switch (pname) {
         case GL_TEXTURE_ENV_MODE:
             if (!is_environment_mode(*params)) return record_error(ctx, GL_INVALID_ENUM, "no such mode");

@@ -29,8 +29,8 @@ struct TextureEnv {
 
 struct Context;
 
-// The parameters of GL_COMBINE (texture_combine.cpp). False: `pname` is none of them.
-bool set_combine_parameter(Context& ctx, TextureEnv& env, GLenum pname, GLfloat value);
+// The parameters of GL_COMBINE (texture_combine.cpp). False: `pname` is none of them, and nothing is read.
+bool set_combine_parameter(Context& ctx, TextureEnv& env, GLenum pname, const GLfloat* params);
 bool get_combine_parameter(const TextureEnv& env, GLenum pname, GLfloat& value);
 
 struct TexgenCoordinate {

@@ -67,62 +67,62 @@ Rule set_level(GLint& level, GLfloat value) {
     return {};
 }
 
+// Of a parameter that is unknown no value is read: there need not be any.
 Rule set_parameter(TextureParameters& parameters, GLenum pname, const GLfloat* values) {
-    const GLfloat value = values[0];
     switch (pname) {
         case GL_TEXTURE_MIN_FILTER:
-            if (!is_min_filter(to_enum(value))) return {GL_INVALID_ENUM, "unknown minification filter"};
-            parameters.min_filter = to_enum(value);
+            if (!is_min_filter(to_enum(*values))) return {GL_INVALID_ENUM, "unknown minification filter"};
+            parameters.min_filter = to_enum(*values);
             return {};
         case GL_TEXTURE_MAG_FILTER:
-            if (to_enum(value) != GL_NEAREST && to_enum(value) != GL_LINEAR) {
+            if (to_enum(*values) != GL_NEAREST && to_enum(*values) != GL_LINEAR) {
                 return {GL_INVALID_ENUM, "unknown magnification filter"};
             }
-            parameters.mag_filter = to_enum(value);
+            parameters.mag_filter = to_enum(*values);
             return {};
         case GL_TEXTURE_WRAP_S:
-            return set_wrap(parameters.wrap_s, value);
+            return set_wrap(parameters.wrap_s, *values);
         case GL_TEXTURE_WRAP_T:
-            return set_wrap(parameters.wrap_t, value);
+            return set_wrap(parameters.wrap_t, *values);
         case GL_TEXTURE_WRAP_R:
-            return set_wrap(parameters.wrap_r, value);
+            return set_wrap(parameters.wrap_r, *values);
         case GL_DEPTH_TEXTURE_MODE:
-            if (!is_one_of(to_enum(value), {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}))
+            if (!is_one_of(to_enum(*values), {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}))
                 return {GL_INVALID_ENUM, "unknown depth texture mode"};
-            parameters.depth_mode = to_enum(value);
+            parameters.depth_mode = to_enum(*values);
             return {};
         case GL_TEXTURE_COMPARE_MODE:
-            if (!is_one_of(to_enum(value), {GL_NONE, GL_COMPARE_R_TO_TEXTURE}))
+            if (!is_one_of(to_enum(*values), {GL_NONE, GL_COMPARE_R_TO_TEXTURE}))
                 return {GL_INVALID_ENUM, "unknown compare mode"};
-            parameters.compare_mode = to_enum(value);
+            parameters.compare_mode = to_enum(*values);
             return {};
         case GL_TEXTURE_COMPARE_FUNC:
-            if (to_enum(value) < GL_NEVER || to_enum(value) > GL_ALWAYS)
+            if (to_enum(*values) < GL_NEVER || to_enum(*values) > GL_ALWAYS)
                 return {GL_INVALID_ENUM, "unknown compare function"};
-            parameters.compare_func = to_enum(value);
+            parameters.compare_func = to_enum(*values);
             return {};
         case GL_TEXTURE_BASE_LEVEL:
-            return set_level(parameters.base_level, value);
+            return set_level(parameters.base_level, *values);
         case GL_TEXTURE_MAX_LEVEL:
-            return set_level(parameters.max_level, value);
+            return set_level(parameters.max_level, *values);
         case GL_TEXTURE_MIN_LOD:
-            parameters.min_lod = value;
+            parameters.min_lod = *values;
             return {};
         case GL_TEXTURE_MAX_LOD:
-            parameters.max_lod = value;
+            parameters.max_lod = *values;
             return {};
         case GL_TEXTURE_LOD_BIAS:
-            parameters.lod_bias = value;
+            parameters.lod_bias = *values;
             return {};
         case GL_TEXTURE_MAX_ANISOTROPY_EXT:
-            if (!(value >= 1)) return {GL_INVALID_VALUE, "the degree of anisotropy is less than 1"};
-            parameters.max_anisotropy = std::min(value, kMaxTextureAnisotropy);
+            if (!(*values >= 1)) return {GL_INVALID_VALUE, "the degree of anisotropy is less than 1"};
+            parameters.max_anisotropy = std::min(*values, kMaxTextureAnisotropy);
             return {};
         case GL_GENERATE_MIPMAP:
-            parameters.generate_mipmap = to_integer(value) != 0;
+            parameters.generate_mipmap = to_integer(*values) != 0;
             return {};
         case GL_TEXTURE_PRIORITY:
-            parameters.priority = clamp_to_unit(value);
+            parameters.priority = clamp_to_unit(*values);
             return {};
         case GL_TEXTURE_BORDER_COLOR:
             for (size_t i = 0; i < 4; ++i) parameters.border_color[i] = clamp_to_unit(values[i]);
