@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "gl/client_pixel.h"
+#include "gl/list_record.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -30,17 +31,17 @@ void copy_bits(const std::byte* source, std::size_t first_bit, std::size_t width
 
 }  // namespace
 
-std::vector<std::byte> unpack_for_list(const PixelStore& unpack, GLsizei width, GLsizei height, GLsizei depth,
+std::vector<std::byte> unpack_for_list(const PixelStore& unpack, const ImageSize& size, GLsizei largest,
                                        GLenum format, GLenum type, const void* pixels) {
-    constexpr GLsizei kLargestSize = kMaxTextureSize + 2;  // with both borders
-    if (!pixels || width <= 0 || height <= 0 || width > kLargestSize || height > kLargestSize) return {};
-    if (depth == 0 || depth < kNoDepth || depth > kLargestSize) return {};
+    if (!pixels) return {};
+    for (const GLsizei extent : {size.width, size.height, size.depth})
+        if (extent <= 0 || extent > largest) return {};
     if (check_client_pixel(format, type).code != GL_NO_ERROR) return {};
-    const int dimensions = depth == kNoDepth ? 2 : 3;
-    const ImageLayout from = image_layout(unpack, width, height, dimensions, format, type);
-    const ImageLayout to = image_layout(PixelStore{}, width, height, dimensions, format, type);
-    const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
-    const auto images = static_cast<std::size_t>(depth == kNoDepth ? 1 : depth);
+    if (image_end(PixelStore{}, size, format, type) > DisplayList::kLargestRecord) throw std::bad_alloc();
+    const ImageLayout from = image_layout(unpack, size.width, size.height, size.dimensions, format, type);
+    const ImageLayout to = image_layout(PixelStore{}, size.width, size.height, size.dimensions, format, type);
+    const auto columns = static_cast<std::size_t>(size.width), rows = static_cast<std::size_t>(size.height);
+    const auto images = static_cast<std::size_t>(size.depth);
     const std::size_t row_bytes = columns * bytes_per_pixel(format, type);
 
     std::vector<std::byte> image(to.image_stride * images);

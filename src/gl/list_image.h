@@ -6,16 +6,15 @@
 #include <cstddef>
 #include <vector>
 
+#include "gl/pixel_buffers.h"
 #include "gl/pixels.h"
 
 namespace terrazzo::gl {
 
-// In place of the depth of an image of one or two dimensions.
-inline constexpr GLsizei kNoDepth = -1;
-
 // The image as default pixel store modes (PixelStore{}) would find it. Empty when `pixels` is null, or when
-// format, type or size are such that the command will fail: then the memory is not touched.
-std::vector<std::byte> unpack_for_list(const PixelStore& unpack, GLsizei width, GLsizei height, GLsizei depth,
+// format, type or size are such that the command will fail: then the memory is not touched. `largest` is the
+// size beyond which it fails. Throws std::bad_alloc.
+std::vector<std::byte> unpack_for_list(const PixelStore& unpack, const ImageSize& size, GLsizei largest,
                                        GLenum format, GLenum type, const void* pixels);
 
 }  // namespace terrazzo::gl

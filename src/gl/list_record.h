@@ -58,9 +58,10 @@ class DisplayList {
         }
     }
 
-  private:
+    // What stands behind a record is no longer.
     static constexpr std::size_t kLargestRecord = UINT32_MAX - 4096;
 
+  private:
     struct Block {
         std::unique_ptr<std::byte[]> bytes;
         std::size_t size;

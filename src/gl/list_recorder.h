@@ -5,9 +5,11 @@
 
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <type_traits>
 
 #include "gl/context.h"
+#include "gl/limits.h"
 #include "gl/list_image.h"
 #include "gl/list_record.h"
 #include "gl/pixel_buffers.h"
@@ -16,6 +18,11 @@ namespace terrazzo::gl {
 
 // The list being compiled cannot grow: records GL_OUT_OF_MEMORY; EndList will drop the list.
 void list_out_of_memory(Context& ctx);
+
+// The largest sizes of images that commands take: textures' with both borders, and any that memory holds.
+inline constexpr GLsizei kLargestTextureImage = kMaxTextureSize + 2;
+inline constexpr GLsizei kLargest3dTextureImage = kMax3dTextureSize + 2;
+inline constexpr GLsizei kLargestPixelRectangle = std::numeric_limits<GLsizei>::max();
 
 // Appends what is not Begin/End geometry.
 template <typename Append>
@@ -65,9 +72,8 @@ class CopiedArray {
 
 // The pixels that a command reads when it is compiled (GL 1.5 §5.4), in the client's memory or the unpack
 // buffer.
-inline PixelMemory find_list_image(const Context& ctx, GLsizei width, GLsizei height, GLsizei depth,
-                                   GLenum format, GLenum type, const void* pixels) {
-    const ImageSize size{width, height, depth == kNoDepth ? 1 : depth, depth == kNoDepth ? 2 : 3};
+inline PixelMemory find_list_image(const Context& ctx, const ImageSize& size, GLenum format, GLenum type,
+                                   const void* pixels) {
     return find_image(ctx, ctx.pixels.unpack, size, format, type, pixels);
 }
 template <typename Element>
@@ -81,9 +87,10 @@ PixelMemory find_list_elements(const Context& ctx, GLsizei count, const Element*
 // An image argument on its way behind a record.
 class UnpackedImage {
   public:
-    UnpackedImage(const Context& ctx, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
-                  GLenum type, const void* pixels)
-        : m_image(unpack_for_list(ctx.pixels.unpack, width, height, depth, format, type, pixels)) {}
+    // `largest`: of a size in any direction that the command takes.
+    UnpackedImage(const Context& ctx, GLsizei largest, const ImageSize& size, GLenum format, GLenum type,
+                  const void* pixels)
+        : m_image(unpack_for_list(ctx.pixels.unpack, size, largest, format, type, pixels)) {}
 
     std::size_t padded_size() const { return padded(m_image.size()); }
 

@@ -6,10 +6,12 @@
 #include <thread>
 #include <vector>
 
+#include "attach_picture.h"
 #include "gl/generated/calls.h"
 #include "gl/list_primitives.h"
 #include "gl/share.h"
 #include "gl_fixture.h"
+#include "guarded_memory.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -131,6 +133,61 @@ TEST_F(ListTest, ImagesAreUnpackedWhenTheyAreCompiled) {
     glGetPolygonStipple(found.data());
     EXPECT_EQ(found, expected);
     EXPECT_EQ(integer(GL_UNPACK_SKIP_ROWS), 3);
+}
+
+// Sizes with which a command fails do not make it read memory when it is compiled, as they do not outside: no
+// size stands for something else.
+TEST_F(ListTest, ImagesOfImpossibleSizesAreNotRead) {
+    test::GuardedMemory memory(1);
+    const auto* const pixels = memory.last<GLubyte>(1);
+    for (const GLsizei depth : {-1, -2, 4096}) {
+        const auto specify = [&] {
+            glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA, 2048, 2048, depth, 0, GL_RGBA, GL_FLOAT, pixels);
+        };
+        const auto replace = [&] {
+            glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, 2048, 2048, depth, GL_RGBA, GL_FLOAT, pixels);
+        };
+        specify();
+        const GLenum error_of_image = glGetError();
+        EXPECT_EQ(error_of_image, GLenum{GL_INVALID_VALUE});
+        glNewList(1, GL_COMPILE);
+        specify();
+        replace();
+        glEndList();
+        expect_error(GL_NO_ERROR);
+        glCallList(1);
+        EXPECT_NE(glGetError(), GLenum{GL_NO_ERROR}) << depth;
+    }
+    for (const GLsizei width : {-1, 1 << 15}) {
+        glNewList(1, GL_COMPILE);
+        glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, width, 0, GL_RGBA, GL_FLOAT, pixels);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, 1, 0, GL_RGBA, GL_FLOAT, pixels);
+        glEndList();
+        glCallList(1);
+        expect_error(GL_INVALID_VALUE);
+    }
+    // Pixel rectangles and bitmaps have negative sizes alone that fail.
+    glNewList(1, GL_COMPILE);
+    glDrawPixels(-1, 1, GL_RGBA, GL_FLOAT, pixels);
+    glBitmap(1, -1, 0, 0, 0, 0, pixels);
+    glEndList();
+    expect_error(GL_NO_ERROR);
+    glCallList(1);
+    expect_error(GL_INVALID_VALUE);
+}
+
+TEST_F(ListTest, PixelRectanglesMayBeLargerThanTextures) {
+    attach_picture(ctx(), 4, 4);
+    const std::vector<GLubyte> pixels(std::size_t{4} * 20000, 255);
+    glRasterPos2f(-1, -1);
+    glNewList(1, GL_COMPILE);
+    glDrawPixels(20000, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glEndList();
+    glCallList(1);
+    std::array<GLubyte, 4> pixel{};
+    glReadPixels(3, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+    EXPECT_EQ(pixel[0], 255);
+    expect_error(GL_NO_ERROR);
 }
 
 TEST_F(ListTest, SomeCommandsAreCarriedOutAtOnce) {

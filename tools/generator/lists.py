@@ -62,10 +62,16 @@ def image_arguments(command, parameter):
     """C++ for what there is to know of the image behind a pointer argument."""
     names = {p.name for p in command.parameters}
     if parameter.name == "mask":
-        return "32, 32, kNoDepth, GL_COLOR_INDEX, GL_BITMAP"
-    size = ", ".join(n if n in names else other
-                     for n, other in (("width", "1"), ("height", "1"), ("depth", "kNoDepth")))
-    return size + (", format, type" if "format" in names else ", GL_COLOR_INDEX, GL_BITMAP")
+        return "ImageSize{32, 32}, GL_COLOR_INDEX, GL_BITMAP"
+    size = ", ".join(n if n in names else "1" for n in ("width", "height", "depth"))
+    return f"ImageSize{{{size}, {3 if 'depth' in names else 2}}}" + (", format, type" if "format" in names else ", GL_COLOR_INDEX, GL_BITMAP")
+
+
+def largest_image(command):
+    """C++ for the size beyond which a command that takes an image fails."""
+    if not command.short.startswith("Tex"):
+        return "kLargestPixelRectangle"
+    return "kLargest3dTextureImage" if command.short.endswith("3D") else "kLargestTextureImage"
 
 
 def is_unpacked(command):
@@ -88,7 +94,7 @@ def source(policy, command, parameter):
     """C++ for the copy of what is behind a pointer argument."""
     name = parameter.name
     if is_image(parameter):
-        return f"UnpackedImage(ctx, {image_arguments(command, parameter)}, {name}_memory.data)"
+        return f"UnpackedImage(ctx, {largest_image(command)}, {image_arguments(command, parameter)}, {name}_memory.data)"
     at = f"reinterpret_cast<{parameter.type.replace('const void', 'const std::byte')}>({name}_memory.data)" if is_unpacked(command) else name
     return f"CopiedArray({at}, {element_count(policy, command, parameter)})"
 
