@@ -7,6 +7,8 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "gl/buffers.h"
 #include "gl/limits.h"
@@ -23,8 +25,9 @@ struct ClientArray {
     std::shared_ptr<BufferObject> buffer;
     bool bgra = false;  // four unsigned bytes, blue first: its size is GL_BGRA for the client
 
+    bool lost = false;  // the buffer has been deleted: the offset that is left must not be taken for a pointer
     // A null pointer is no array.
-    bool exists() const { return pointer != nullptr || buffer; }
+    bool exists() const { return !lost && (pointer != nullptr || buffer); }
 };
 
 struct ArrayState {
@@ -57,12 +60,18 @@ void for_each_array(Arrays& arrays, Visit visit) {
     visit(pipeline::kPosition, arrays.vertex, false);
 }
 
-template <typename Visit>
-void for_each_buffer_binding(ArrayState& arrays, Visit visit) {
-    for_each_array(arrays, [&](int, ClientArray& array, bool) { visit(array.buffer); });
-    visit(arrays.index.buffer);
-    visit(arrays.array_buffer);
-    visit(arrays.element_buffer);
+// Unbinds the buffers for which is_deleted(buffer) says so; their arrays are lost.
+template <typename IsDeleted>
+void forget_buffers(ArrayState& arrays, IsDeleted is_deleted) {
+    const auto forget = [&](std::shared_ptr<BufferObject>& binding) {
+        const bool deleted = binding && is_deleted(std::as_const(*binding));
+        if (deleted) binding.reset();
+        return deleted;
+    };
+    for_each_array(arrays, [&](int, ClientArray& array, bool) { array.lost |= forget(array.buffer); });
+    arrays.index.lost |= forget(arrays.index.buffer);
+    forget(arrays.array_buffer);
+    forget(arrays.element_buffer);
 }
 
 // The array that glEnableClientState calls `name`, null when there is none.

@@ -290,20 +290,16 @@ void pop_client_attrib(Context& ctx) {
     }
     const SavedClientAttributes& saved = *ctx.attrib.client.back();
     // Buffers that were deleted meanwhile stay deleted.
-    const auto forget_deleted = [&](std::shared_ptr<BufferObject>& buffer) {
-        if (buffer && !is_live(ctx, *buffer)) buffer.reset();
+    const auto is_deleted = [&](const BufferObject& buffer) { return !is_live(ctx, buffer); };
+    const auto restore_store = [&](PixelStore& store, const PixelStore& value) {
+        store = value;
+        if (store.buffer && is_deleted(*store.buffer)) store.buffer.reset();
     };
-    if (saved.pack) {
-        ctx.pixels.pack = *saved.pack;
-        forget_deleted(ctx.pixels.pack.buffer);
-    }
-    if (saved.unpack) {
-        ctx.pixels.unpack = *saved.unpack;
-        forget_deleted(ctx.pixels.unpack.buffer);
-    }
+    if (saved.pack) restore_store(ctx.pixels.pack, *saved.pack);
+    if (saved.unpack) restore_store(ctx.pixels.unpack, *saved.unpack);
     if (saved.arrays) {
         ctx.arrays = *saved.arrays;
-        for_each_buffer_binding(ctx.arrays, forget_deleted);
+        forget_buffers(ctx.arrays, is_deleted);
     }
     ctx.attrib.client.pop_back();
 }

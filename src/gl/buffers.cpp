@@ -70,12 +70,9 @@ std::byte* sub_data(Context& ctx, GLenum target, GLintptr offset, GLsizeiptr siz
 
 // A deleted object is unbound from everything in this context; others keep what they have bound.
 void unbind(Context& ctx, const BufferObject* buffer) {
-    const auto forget = [&](std::shared_ptr<BufferObject>& binding) {
-        if (binding.get() == buffer) binding.reset();
-    };
-    for_each_buffer_binding(ctx.arrays, forget);
-    forget(ctx.pixels.pack.buffer);
-    forget(ctx.pixels.unpack.buffer);
+    forget_buffers(ctx.arrays, [&](const BufferObject& bound) { return &bound == buffer; });
+    for (PixelStore* const store : {&ctx.pixels.pack, &ctx.pixels.unpack})
+        if (store->buffer.get() == buffer) store->buffer.reset();
 }
 
 }  // namespace

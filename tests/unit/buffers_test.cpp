@@ -171,6 +171,64 @@ TEST_F(BuffersTest, PointersLatchTheArrayBuffer) {
 TEST_F(BuffersTest, ContextsShareThem) {
     const GLubyte bytes[] = {5, 6};
     const GLuint name = make_buffer(GL_ARRAY_BUFFER, sizeof bytes, bytes);
+// What is left of a pointer is an offset into nothing: no address that a draw may read from. The reference
+// does.
+TEST_F(BuffersTest, ArraysWhoseBufferIsDeletedAreNotRead) {
+    open_window();
+    const auto specify = [&] {
+        const GLuint name = make_buffer(GL_ARRAY_BUFFER, 400, nullptr);
+        vertex_pointer(ctx(), 2, GL_FLOAT, 0, offset(16));
+        color_pointer(ctx(), 4, GL_UNSIGNED_BYTE, 0, offset(24));
+        index_pointer(ctx(), GL_FLOAT, 0, offset(32));
+        enable_client_state(ctx(), GL_VERTEX_ARRAY);
+        enable_client_state(ctx(), GL_COLOR_ARRAY);
+        enable_client_state(ctx(), GL_INDEX_ARRAY);
+        return name;
+    };
+    const auto use = [&] {
+        EXPECT_EQ(binding(GL_VERTEX_ARRAY_BUFFER_BINDING), 0);
+        void* pointer = nullptr;
+        get_pointerv(ctx(), GL_VERTEX_ARRAY_POINTER, &pointer);
+        EXPECT_EQ(pointer, offset(16)) << "what the client gave";
+        const GLubyte indices[] = {0, 1, 2};
+        draw_arrays(ctx(), GL_TRIANGLES, 0, 3);
+        draw_elements(ctx(), GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices);
+        begin(ctx(), GL_POINTS);
+        array_element(ctx(), 0);
+        end(ctx());
+        new_list(ctx(), 1, GL_COMPILE);
+        current.table->DrawArrays(&ctx(), GL_TRIANGLES, 0, 3);
+        current.table->ArrayElement(&ctx(), 0);
+        end_list(ctx());
+        call_list(ctx(), 1);
+        finish(ctx());
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    };
+    const GLuint deleted = specify();
+    delete_buffers(ctx(), 1, &deleted);
+    use();
+    const GLuint saved = specify();
+    push_client_attrib(ctx(), GL_CLIENT_VERTEX_ARRAY_BIT);
+    delete_buffers(ctx(), 1, &saved);
+    pop_client_attrib(ctx());
+    use();
+    // In another context: what is bound there stays, what is only saved does not come back.
+    const std::unique_ptr<Context> other = create_context({}, &ctx());
+    const GLuint shared = specify();
+    push_client_attrib(ctx(), GL_CLIENT_VERTEX_ARRAY_BIT);
+    delete_buffers(*other, 1, &shared);
+    EXPECT_EQ(binding(GL_VERTEX_ARRAY_BUFFER_BINDING), static_cast<GLint>(shared));
+    pop_client_attrib(ctx());
+    use();
+
+    // New pointers are the client's.
+    vertex_pointer(ctx(), 2, GL_FLOAT, 0, kSquare);
+    disable_client_state(ctx(), GL_COLOR_ARRAY);
+    color4f(ctx(), 1, 1, 1, 1);
+    draw_arrays(ctx(), GL_QUADS, 0, 4);
+    EXPECT_EQ(lit_pixels(), kSize * kSize);
+}
+
     const std::unique_ptr<Context> other = create_context({}, &ctx());
     bind_buffer(*other, GL_ARRAY_BUFFER, name);
     delete_buffers(ctx(), 1, &name);
