@@ -88,18 +88,10 @@ std::uint32_t element_of(const pipeline::VertexRange& range, std::uint32_t i) {
     return range.indices ? range.indices[i] : range.first + i;
 }
 
-// Whether all elements of the range are in the arrays' buffers.
-bool is_inside(const pipeline::VertexRange& range, const EnabledArrays& arrays) {
-    if (arrays.shortest() > UINT32_MAX || range.count == 0) return true;
-    if (!range.indices) return std::uint64_t{range.first} + range.count <= arrays.shortest();
-    return *std::max_element(range.indices, range.indices + range.count) < arrays.shortest();
-}
-
 // A draw that reaches beyond the end of a buffer: the vertices are copied one by one, zeros where there is
 // nothing to copy.
 void draw_copied(Context& ctx, GLenum mode, const pipeline::VertexRange& range, const EnabledArrays& arrays) {
-    constexpr std::uint32_t kMostVertices = 1u << 24;  // so that a wrong count does not take all memory
-    if (range.count > kMostVertices) throw std::bad_alloc();
+    if (range.count > kMostVerticesBeyond) throw std::bad_alloc();
     pipeline::VertexInput input = input_of(ctx, arrays);
     std::vector<std::vector<std::byte>> copies;
     for (const ReadableArray& a : arrays) {
@@ -146,7 +138,8 @@ std::vector<std::uint32_t> widen(const std::byte* indices, GLsizei count) {
 }
 
 void draw_indexed(Context& ctx, GLenum mode, GLsizei given_count, GLenum type, const GLvoid* indices) {
-    const auto [bytes, count] = find_indices(ctx, given_count, type, indices);
+    const ReadableIndices found = find_indices(ctx, given_count, type, indices);
+    const auto& [bytes, count] = found;
     if (bytes.mapped) return record_error(ctx, GL_INVALID_OPERATION, "the element buffer is mapped");
     if (count == 0) return;
     const bool aligned = reinterpret_cast<std::uintptr_t>(bytes.data) % alignof(std::uint32_t) == 0;
@@ -154,10 +147,7 @@ void draw_indexed(Context& ctx, GLenum mode, GLsizei given_count, GLenum type, c
         return draw_range(
             ctx, mode,
             {0, static_cast<std::uint32_t>(count), reinterpret_cast<const std::uint32_t*>(bytes.data)});
-    const std::vector<std::uint32_t> wide = type == GL_UNSIGNED_BYTE ? widen<std::uint8_t>(bytes.data, count)
-                                            : type == GL_UNSIGNED_SHORT
-                                                ? widen<std::uint16_t>(bytes.data, count)
-                                                : widen<std::uint32_t>(bytes.data, count);
+    const std::vector<std::uint32_t> wide = found.widened(type);
     draw_range(ctx, mode, {0, static_cast<std::uint32_t>(count), wide.data()});
 }
 
@@ -257,9 +247,22 @@ ClientArray* find_client_array(ArrayState& arrays, GLenum name) {
     return nullptr;
 }
 
-std::array<GLfloat, 4> ReadableArray::element(GLint i) const {
+bool is_inside(const pipeline::VertexRange& range, const EnabledArrays& arrays) {
+    if (arrays.shortest() > UINT32_MAX || range.count == 0) return true;
+    if (!range.indices) return std::uint64_t{range.first} + range.count <= arrays.shortest();
+    return *std::max_element(range.indices, range.indices + range.count) < arrays.shortest();
+}
+
+std::vector<std::uint32_t> ReadableIndices::widened(GLenum type) const {
+    if (count == 0) return {};
+    if (type == GL_UNSIGNED_BYTE) return widen<std::uint8_t>(bytes.data, count);
+    if (type == GL_UNSIGNED_SHORT) return widen<std::uint16_t>(bytes.data, count);
+    return widen<std::uint32_t>(bytes.data, count);
+}
+
+std::array<GLfloat, 4> ReadableArray::element(GLuint i) const {
     std::array<GLfloat, 4> out{0, 0, 0, 1};
-    const auto index = static_cast<std::size_t>(i);
+    const std::size_t index = i;
     for (int c = 0; c < array->size; ++c) {
         const double value = index < count ? component(array->type, bytes.data + index * stride, c) : 0;
         out[static_cast<std::size_t>(c)] =
@@ -355,14 +358,14 @@ void array_element(Context& ctx, GLint i) {
     const EnabledArrays arrays(ctx);
     if (arrays.any_mapped()) return record_error(ctx, GL_INVALID_OPERATION, "an array's buffer is mapped");
     for (const ReadableArray& array : arrays) {
-        const std::array<GLfloat, 4> v = array.element(i);
+        const std::array<GLfloat, 4> v = array.element(static_cast<GLuint>(i));
         if (array.attribute != pipeline::kPosition) {
             set_attribute(ctx, array.attribute, v[0], v[1], v[2], v[3]);
         } else if (ctx.vertex.open) {
             vertex4f(ctx, v[0], v[1], v[2], v[3]);
         }
     }
-    if (arrays.index()) ctx.vertex.current.index = arrays.index()->element(i)[0];
+    if (arrays.index()) ctx.vertex.current.index = arrays.index()->element(static_cast<GLuint>(i))[0];
 }
 
 void draw_arrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {

@@ -12,6 +12,7 @@
 
 #include "gl/buffers.h"
 #include "gl/limits.h"
+#include "pipeline/renderer.h"
 #include "pipeline/vertex_input.h"
 
 namespace terrazzo::gl {
@@ -24,8 +25,8 @@ struct ClientArray {
     const GLvoid* pointer = nullptr;  // an offset where there is a buffer
     std::shared_ptr<BufferObject> buffer;
     bool bgra = false;  // four unsigned bytes, blue first: its size is GL_BGRA for the client
-
     bool lost = false;  // the buffer has been deleted: the offset that is left must not be taken for a pointer
+
     // A null pointer is no array.
     bool exists() const { return !lost && (pointer != nullptr || buffer); }
 };
@@ -87,7 +88,7 @@ struct ReadableArray {
     std::size_t count = 0;  // whole elements within the buffer; no bound for client arrays
 
     // Element `i` as floats, missing components as 0, 0, 0, 1; zeros past the end of a buffer.
-    std::array<GLfloat, 4> element(GLint i) const;
+    std::array<GLfloat, 4> element(GLuint i) const;
 };
 
 // The enabled arrays that exist, the position last; their buffers' stores stay while this lives.
@@ -115,10 +116,21 @@ class EnabledArrays {
     ReadableArray m_index;
 };
 
+// A draw of more vertices than this, some of them beyond the end of a buffer, is GL_OUT_OF_MEMORY, in display
+// lists as outside: a wrong count must not take all memory. What is within buffers or the client's arrays is in
+// memory already.
+inline constexpr std::size_t kMostVerticesBeyond = std::size_t{1} << 24;
+
+// Whether all elements of the range are in the arrays' buffers.
+bool is_inside(const pipeline::VertexRange& range, const EnabledArrays& arrays);
+
 // The indices of a draw: `count` of them or as many as the bound element buffer holds.
 struct ReadableIndices {
     ReadableBytes bytes;
     GLsizei count = 0;
+
+    // All of them, whatever their type is.
+    std::vector<std::uint32_t> widened(GLenum type) const;
 };
 ReadableIndices find_indices(const Context& ctx, GLsizei count, GLenum type, const void* indices);
 

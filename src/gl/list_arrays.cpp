@@ -1,9 +1,12 @@
-// Vertex arrays in display lists (GL 1.5 §5.4): the arrays are read when the list is compiled, and what they
-// hold is recorded as a batch of primitives of its own.
-#include <cstring>
+// Records and plays draws of vertex arrays; see list_arrays.h.
+#include "gl/list_arrays.h"
+
+#include <algorithm>
+#include <new>
 #include <utility>
 
-#include "gl/context.h"
+#include "gl/call.h"
+#include "gl/draw.h"
 #include "gl/generated/compile.h"
 #include "gl/list_recorder.h"
 
@@ -11,19 +14,6 @@ namespace terrazzo::gl {
 namespace {
 
 constexpr const char* kMapped = "a buffer of the arrays is mapped";
-
-template <typename Index>
-GLuint index_at(const std::byte* indices, GLsizei i) {
-    Index index;
-    std::memcpy(&index, indices + static_cast<std::size_t>(i) * sizeof index, sizeof index);
-    return index;
-}
-
-GLuint index_at(const std::byte* indices, GLenum type, GLsizei i) {
-    if (type == GL_UNSIGNED_BYTE) return index_at<GLubyte>(indices, i);
-    if (type == GL_UNSIGNED_SHORT) return index_at<GLushort>(indices, i);
-    return index_at<GLuint>(indices, i);
-}
 
 bool is_index_type(GLenum type) {
     return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
@@ -37,56 +27,129 @@ std::pair<GLenum, const char*> error_of_draw(const Context& ctx, GLenum mode, GL
     return {GL_NO_ERROR, ""};
 }
 
-// Records a run whose vertices are the array elements that `element` names.
-template <typename Element>
-void record_arrays(Context& ctx, GLenum mode, GLsizei count, Element element) {
+// Drawing without indices is faster, so elements are repeated for each vertex; not where one byte of indices
+// would become hundreds. Returns the elements to record, none where all are, and leaves what names them in
+// `indices`.
+std::vector<std::uint32_t> share_elements(std::vector<std::uint32_t>& indices) {
+    constexpr std::size_t kFew = std::size_t{1} << 20, kWorthRepeating = 8;
+    if (indices.size() <= kFew) return std::exchange(indices, {});
+    std::vector<std::uint32_t> elements = indices;
+    std::ranges::sort(elements);
+    const auto repeated = std::ranges::unique(elements);
+    elements.erase(repeated.begin(), repeated.end());
+    if (indices.size() <= kWorthRepeating * elements.size()) return std::exchange(indices, {});
+    for (std::uint32_t& index : indices)
+        index = static_cast<std::uint32_t>(std::ranges::lower_bound(elements, index) - elements.begin());
+    return elements;
+}
+
+// The layout of elements, the position last.
+void add_streams(ArraysRecord& record, const EnabledArrays& arrays) {
+    for (const ReadableArray& array : arrays) {
+        const auto components = static_cast<std::uint8_t>(array.array->size);
+        record.streams[record.stream_count++] = {static_cast<std::uint8_t>(array.attribute), components,
+                                                 static_cast<std::uint16_t>(record.stride)};
+        record.stride += components * static_cast<std::uint32_t>(sizeof(float));
+    }
+}
+
+// Whether every position's w is one, which drawing is faster with.
+bool w_is_one(const ArraysRecord& record, std::uint32_t elements) {
+    const ArraysRecord::Stream& position = record.streams[record.stream_count - 1u];
+    if (position.components < 4) return true;
+    const float* w = record.elements() + position.offset / sizeof(float) + 3;
+    for (std::uint32_t i = 0; i < elements; ++i, w += record.stride / sizeof(float))
+        if (*w != 1.0f) return false;
+    return true;
+}
+
+// Records a draw of the range's vertices; `indices` is empty for consecutive elements.
+void append_arrays(DisplayList& list, GLenum mode, pipeline::VertexRange range, const EnabledArrays& arrays,
+                   std::vector<std::uint32_t> indices) {
+    if (!indices.empty()) range.indices = indices.data();
+    if (range.count > kMostVerticesBeyond && !is_inside(range, arrays)) throw std::bad_alloc();
+    const std::vector<std::uint32_t> named = share_elements(indices);
+    const std::uint32_t count = named.empty() ? range.count : static_cast<std::uint32_t>(named.size());
+    ArraysRecord layout{};
+    layout.mode = mode;
+    layout.vertex_count = range.count;
+    layout.index_count = static_cast<std::uint32_t>(indices.size());
+    add_streams(layout, arrays);
+    auto& made = list.append<ArraysRecord>(indices.size() * sizeof(std::uint32_t) +
+                                           std::size_t{count} * layout.stride);
+    layout.header = made.header;
+    made = layout;
+    auto* const to = reinterpret_cast<std::uint32_t*>(&made + 1);
+    auto* out = reinterpret_cast<float*>(std::ranges::copy(indices, to).out);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t element = named.empty() ? range.first + i : named[i];
+        for (const ReadableArray& array : arrays)
+            out = std::copy_n(array.element(element).begin(), array.array->size, out);
+    }
+    made.w_is_one = w_is_one(made, count);
+}
+
+// Throws nothing, as all that records; so the indices are fetched inside.
+template <typename FetchIndices>
+void record_range(Context& ctx, GLenum mode, const pipeline::VertexRange& range, FetchIndices fetch_indices) {
     const EnabledArrays arrays(ctx);
     if (arrays.any_mapped()) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
-    if (count == 0 || !arrays.has_position()) return;
-    record(ctx, [&](DisplayList& list) {
-        ListVertices& vertices = ctx.lists.vertices;
-        vertices.begin_arrays(list, mode);
-        for (GLsizei i = 0; i < count; ++i) {
-            for (const ReadableArray& array : arrays) {
-                const std::array<GLfloat, 4> value = array.element(element(i));
-                if (array.attribute == pipeline::kPosition)
-                    vertices.vertex(list, value);
-                else
-                    vertices.attribute(list, array.attribute, value);
-            }
-        }
-        vertices.end_arrays(list);
-    });
+    if (range.count == 0 || !arrays.has_position()) return;
+    record(ctx, [&](DisplayList& list) { append_arrays(list, mode, range, arrays, fetch_indices()); });
 }
 
 void record_draw_arrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
     if (first < 0) return record_list_error(ctx, GL_INVALID_VALUE, "first is negative");
     const auto [error, rule] = error_of_draw(ctx, mode, count);
     if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
-    record_arrays(ctx, mode, count, [&](GLsizei i) {
-        return static_cast<GLint>(static_cast<GLuint>(first) + static_cast<GLuint>(i));
-    });
+    record_range(ctx, mode, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)},
+                 [] { return std::vector<std::uint32_t>(); });
 }
 
 void record_draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const void* indices) {
     if (!is_index_type(type)) return record_list_error(ctx, GL_INVALID_ENUM, "no type of indices");
     const auto [error, rule] = error_of_draw(ctx, mode, count);
     if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
-    const auto [bytes, readable_count] = find_indices(ctx, count, type, indices);
-    if (bytes.mapped) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
-    const std::byte* const from = bytes.data;
-    record_arrays(ctx, mode, readable_count,
-                  [&](GLsizei i) { return static_cast<GLint>(index_at(from, type, i)); });
+    const ReadableIndices found = find_indices(ctx, count, type, indices);
+    if (found.bytes.mapped) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
+    record_range(ctx, mode, {0, static_cast<std::uint32_t>(found.count)},
+                 [&] { return found.widened(type); });
+}
+
+void draw(Context& ctx, const ArraysRecord& record) {
+    if (!check_framebuffer(ctx)) return;
+    flush_vertices(ctx);
+    pipeline::VertexInput input;
+    input.constants = ctx.vertex.current.values;
+    const auto* const bytes = reinterpret_cast<const std::byte*>(record.elements());
+    for (std::uint32_t s = 0; s < record.stream_count; ++s) {
+        const ArraysRecord::Stream& stream = record.streams[s];
+        input.streamed |= pipeline::bit(stream.attribute);
+        input.streams[stream.attribute] = {bytes + stream.offset, record.stride,
+                                           pipeline::ComponentType::kFloat32, stream.components, false};
+    }
+    draw_primitives(ctx, record.mode, input,
+                    {0, record.vertex_count, record.index_count ? record.indices() : nullptr},
+                    record.w_is_one);
 }
 
 }  // namespace
+
+// The current values stay what they were, as in the reference; GL leaves them indeterminate.
+void play_arrays(Context& ctx, const ArraysRecord& record) {
+    if (ctx.vertex.open) {
+        return record_error(ctx, GL_INVALID_OPERATION,
+                            "vertex arrays are not drawn between glBegin and glEnd");
+    }
+    guarded(ctx, [&] { draw(ctx, record); });
+}
 
 void Compile::ArrayElement(Context& ctx, GLint i) {
     if (i < 0) return record_list_error(ctx, GL_INVALID_VALUE, "the element is negative");
     const EnabledArrays arrays(ctx);
     if (arrays.any_mapped()) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
     for (const ReadableArray& array : arrays) {
-        const std::array<GLfloat, 4> v = array.element(i);
+        const std::array<GLfloat, 4> v = array.element(static_cast<GLuint>(i));
         switch (array.attribute) {
             case pipeline::kNormal:
                 Normal3f(ctx, v[0], v[1], v[2]);

@@ -68,13 +68,9 @@ void set_attributes(Context& ctx, const AttributeValue* values, std::uint32_t co
     }
 }
 
-void draw_batch(Context& ctx, const PrimitivesRecord& record) {
+// Without drawing, where that is refused, the attributes are set all the same.
+void play_batch(Context& ctx, const PrimitivesRecord& record, bool draw) {
     flush_vertices(ctx);
-    std::array<AttributeValue, pipeline::kAttributeCount> before;
-    for (std::uint32_t i = 0; record.from_arrays && i < record.before_count; ++i) {
-        before[i] = record.before()[i];
-        before[i].value = ctx.vertex.current.values[before[i].attribute];
-    }
     set_attributes(ctx, record.before(), record.before_count);
     pipeline::VertexInput input;
     input.constants = ctx.vertex.current.values;
@@ -85,26 +81,20 @@ void draw_batch(Context& ctx, const PrimitivesRecord& record) {
         input.streams[stream.attribute] = {bytes + stream.offset, record.stride,
                                            pipeline::ComponentType::kFloat32, stream.components, false};
     }
-    for (std::uint32_t r = 0; r < record.run_count; ++r) {
+    for (std::uint32_t r = 0; draw && r < record.run_count; ++r) {
         const PrimitiveRun& run = record.runs()[r];
         draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, record.w_is_one);
     }
     set_attributes(ctx, record.after(), record.after_count);
-    if (record.from_arrays) set_attributes(ctx, before.data(), record.before_count);
 }
 
 }  // namespace
 
 void play_primitives(Context& ctx, const PrimitivesRecord& record) {
-    if (ctx.vertex.open && record.from_arrays) {
-        return record_error(ctx, GL_INVALID_OPERATION,
-                            "vertex arrays are not drawn between glBegin and glEnd");
-    }
-    if (!check_framebuffer(ctx)) return;
     if (ctx.vertex.open) {
         play_calls(ctx, record);
     } else {
-        guarded(ctx, [&] { draw_batch(ctx, record); });
+        guarded(ctx, [&] { play_batch(ctx, record, check_framebuffer(ctx)); });
     }
     if (record.index_set) indexf(ctx, record.index);
 }

@@ -35,9 +35,8 @@ struct PrimitivesRecord {
     std::uint32_t vertex_count;
     std::uint32_t stride;  // bytes
     std::uint16_t stream_count;
-    bool w_is_one;     // of every position
-    bool from_arrays;  // not allowed between Begin and End
-    bool index_set;    // the current colour index is left at `index`
+    bool w_is_one;   // of every position
+    bool index_set;  // the current colour index is left at `index`
     GLfloat index;
     std::array<Stream, pipeline::kAttributeCount> streams;
 

@@ -115,18 +115,6 @@ void ListVertices::end(DisplayList& list) {
     m_open = false;
 }
 
-void ListVertices::begin_arrays(DisplayList& list, GLenum mode) {
-    finish(list);
-    m_from_arrays = true;
-    begin(list, mode);
-}
-
-void ListVertices::end_arrays(DisplayList& list) {
-    end(list);
-    finish(list);
-    m_from_arrays = false;
-}
-
 void ListVertices::vertex(DisplayList& list, const Value& position) {
     if (m_open && m_count != 0 && (m_changed & ~m_streamed & ~m_constant) != 0) record_open_run(list);
     if (!m_open) {
@@ -255,13 +243,9 @@ void ListVertices::record_batch(DisplayList& list) {
 
     record.run_count = static_cast<std::uint32_t>(m_runs.size());
     record.before_count = static_cast<std::uint32_t>(std::popcount(m_constant));
-    // Arrays leave the current values as they were: as the reference has it, where GL leaves them
-    // indeterminate.
-    const auto left = m_from_arrays ? decltype(m_set){} : m_set;
-    record.after_count = static_cast<std::uint32_t>(std::popcount(left));
+    record.after_count = static_cast<std::uint32_t>(std::popcount(m_set));
     record.vertex_count = m_count;
     record.w_is_one = record.streams[0].components < 4;
-    record.from_arrays = m_from_arrays;
     record.index_set = m_index_set;
     record.index = m_index;
 
@@ -274,7 +258,7 @@ void ListVertices::record_batch(DisplayList& list) {
     auto* runs = reinterpret_cast<PrimitiveRun*>(&made + 1);
     auto* values = reinterpret_cast<AttributeValue*>(std::copy(m_runs.begin(), m_runs.end(), runs));
     values = store_values(values, m_constant, m_first);
-    values = store_values(values, left, m_last);
+    values = store_values(values, m_set, m_last);
     auto* out = reinterpret_cast<float*>(values);
     for (std::uint32_t i = 0; i < m_count; ++i) {
         const float* vertex = m_data.data() + std::size_t{i} * m_stride;

@@ -28,11 +28,6 @@ class ListVertices {
     void attribute(DisplayList& list, int attribute, const std::array<GLfloat, 4>& value);
     void index(DisplayList& list, GLfloat value);
 
-    // A run that DrawArrays or its like makes: a batch of its own, and no part of a run that may be open when
-    // the list is called.
-    void begin_arrays(DisplayList& list, GLenum mode);
-    void end_arrays(DisplayList& list);
-
     // Records what has been collected, before a command of another kind is recorded or the list ends.
     void finish(DisplayList& list);
 
@@ -68,7 +63,6 @@ class ListVertices {
     GLenum m_mode = 0;
     std::uint32_t m_open_first = 0;
     bool m_call_by_call = false;  // until End
-    bool m_from_arrays = false;
 };
 
 }  // namespace terrazzo::gl

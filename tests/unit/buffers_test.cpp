@@ -3,12 +3,15 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <vector>
 
 #include "attach_picture.h"
 #include "gl/generated/commands.h"
 #include "gl/generated/dispatch.h"
+#include "gl/list_record.h"
 #include "gl/share.h"
 #include "gl_fixture.h"
 
@@ -168,9 +171,6 @@ TEST_F(BuffersTest, PointersLatchTheArrayBuffer) {
     EXPECT_EQ(binding(GL_ARRAY_BUFFER_BINDING), static_cast<GLint>(first));
 }
 
-TEST_F(BuffersTest, ContextsShareThem) {
-    const GLubyte bytes[] = {5, 6};
-    const GLuint name = make_buffer(GL_ARRAY_BUFFER, sizeof bytes, bytes);
 // What is left of a pointer is an offset into nothing: no address that a draw may read from. The reference
 // does.
 TEST_F(BuffersTest, ArraysWhoseBufferIsDeletedAreNotRead) {
@@ -229,6 +229,9 @@ TEST_F(BuffersTest, ArraysWhoseBufferIsDeletedAreNotRead) {
     EXPECT_EQ(lit_pixels(), kSize * kSize);
 }
 
+TEST_F(BuffersTest, ContextsShareThem) {
+    const GLubyte bytes[] = {5, 6};
+    const GLuint name = make_buffer(GL_ARRAY_BUFFER, sizeof bytes, bytes);
     const std::unique_ptr<Context> other = create_context({}, &ctx());
     bind_buffer(*other, GL_ARRAY_BUFFER, name);
     delete_buffers(ctx(), 1, &name);
@@ -297,6 +300,46 @@ TEST_F(BuffersTest, WhatIsPastTheEndIsZero) {
     EXPECT_EQ(lit_pixels(), kSize * (kSize + 1) / 2);
     draw_elements(ctx(), GL_TRIANGLES, 3, GL_UNSIGNED_INT, offset(1000));
     draw_elements(ctx(), GL_TRIANGLES, 3, GL_UNSIGNED_INT, offset(static_cast<std::size_t>(-4)));
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
+// A count that is wrong must not take all memory, neither when it is drawn nor when it is recorded.
+TEST_F(BuffersTest, DrawsFarBeyondTheEndAreRefused) {
+    open_window();
+    make_buffer(GL_ARRAY_BUFFER, 2028, nullptr);
+    interleaved_arrays(ctx(), GL_T2F_C4F_N3F_V3F, 0, nullptr);
+    draw_arrays(ctx(), GL_POINTS, 14, 1 << 16);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    const Dispatch& execute = kNormalTable;
+    execute.DrawArrays(&ctx(), GL_LINES, 14, 0x7fffffff);
+    EXPECT_EQ(take_error(), GLenum{GL_OUT_OF_MEMORY});
+    new_list(ctx(), 1, GL_COMPILE);
+    current.table->DrawArrays(&ctx(), GL_LINES, 14, 0x7fffffff);
+    EXPECT_EQ(take_error(), GLenum{GL_OUT_OF_MEMORY});
+    end_list(ctx());
+    EXPECT_EQ(is_list(ctx(), 1), GL_FALSE);
+}
+
+// Many indices that name few elements keep their few elements in lists.
+TEST_F(BuffersTest, ListsKeepIndicesThatRepeatElements) {
+    open_window();
+    const std::vector<GLfloat> all(2 * 300, 0);
+    std::vector<GLfloat> vertices = all;
+    std::ranges::copy(kSquare, vertices.begin() + 2 * 200);  // elements 200 to 203
+    vertex_pointer(ctx(), 2, GL_FLOAT, 0, vertices.data());
+    enable_client_state(ctx(), GL_VERTEX_ARRAY);
+    std::vector<GLubyte> indices(std::size_t{3} << 20);
+    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<GLubyte>(200 + i % 4);
+    new_list(ctx(), 1, GL_COMPILE);
+    current.table->DrawElements(&ctx(), GL_QUADS, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_BYTE,
+                                indices.data());
+    end_list(ctx());
+    std::size_t bytes = 0;
+    ctx().shared->lists.at(1)->for_each([&](const RecordHeader& header) { bytes += header.size; });
+    EXPECT_LT(bytes, 5 * indices.size()) << "an index each";
+    vertices = all;
+    call_list(ctx(), 1);
+    EXPECT_EQ(lit_pixels(), kSize * kSize);
     EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
 }
 

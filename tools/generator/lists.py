@@ -40,7 +40,7 @@ def record_struct(command):
 
 def records_header(policy):
     names = [c.short for c in commands(policy)]
-    opcodes = "".join(f"    k{name},\n" for name in ["Error", "Primitives", *names])
+    opcodes = "".join(f"    k{name},\n" for name in ["Error", "Primitives", "Arrays", *names])
     lines = [BANNER, "#pragma once\n", '#include <GL/gl.h>\n\n#include "gl/list_record.h"\n',
              "namespace terrazzo::gl {\n", f"enum class Opcode : std::uint16_t {{\n{opcodes}}};\n"]
     lines += [ERROR_RECORD, *[record_struct(c) for c in commands(policy)]]
@@ -163,16 +163,18 @@ def player_source(policy):
     cases = "".join(player_case(c) for c in commands(policy))
     names = "".join(f'        case Opcode::k{c.short}: return "{c.name}";\n' for c in commands(policy))
     return "\n".join([
-        BANNER, '#include "gl/generated/dispatch.h"\n#include "gl/generated/records.h"\n#include "gl/list_player.h"\n'
-        '#include "gl/list_primitives.h"\n',
+        BANNER, '#include "gl/generated/dispatch.h"\n#include "gl/generated/records.h"\n#include "gl/list_arrays.h"\n'
+        '#include "gl/list_player.h"\n#include "gl/list_primitives.h"\n',
         "namespace terrazzo::gl {\n",
         "void play_record(Context& ctx, const RecordHeader& header) {",
         "    const Dispatch& gl = *ctx.dispatch.execute;\n    switch (header.opcode) {",
         "        case Opcode::kError: return play_error(ctx, record_cast<ErrorRecord>(header));",
         "        case Opcode::kPrimitives: return play_primitives(ctx, record_cast<PrimitivesRecord>(header));",
+        "        case Opcode::kArrays: return play_arrays(ctx, record_cast<ArraysRecord>(header));",
         f"{cases}    }}\n}}\n",
         "const char* record_name(Opcode opcode) {\n    switch (opcode) {",
-        f'        case Opcode::kError: break;\n        case Opcode::kPrimitives: return "glBegin";\n{names}    }}\n    return "";\n}}\n',
+        f'        case Opcode::kError: break;\n        case Opcode::kPrimitives: return "glBegin";\n'
+        f'        case Opcode::kArrays: return "glDrawArrays";\n{names}    }}\n    return "";\n}}\n',
         "}  // namespace terrazzo::gl"]) + "\n"
 
 
