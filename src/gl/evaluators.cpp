@@ -207,25 +207,42 @@ GLfloat grid_point(const EvaluatorGrid& grid, GLint i) {
     return static_cast<GLfloat>(i) * grid.step() + grid.first;
 }
 
-// Calls visit(parameter) for the grid's points from `first` to `last`.
+// Calls visit(parameter) for the grid's points from `first` to `last`, as long as it answers true. Whether it
+// always has.
 template <typename Visit>
-void walk(const EvaluatorGrid& grid, GLint first, GLint last, Visit visit) {
+bool walk_while(const EvaluatorGrid& grid, GLint first, GLint last, Visit visit) {
     const GLfloat step = grid.step();
     GLfloat parameter = grid.first + static_cast<GLfloat>(first) * step;
-    for (std::int64_t i = first; i <= last; ++i, parameter += step) visit(parameter);
+    for (std::int64_t i = first; i <= last; ++i, parameter += step)
+        if (!visit(parameter)) return false;
+    return true;
+}
+
+template <typename Visit>
+void walk(const EvaluatorGrid& grid, GLint first, GLint last, Visit visit) {
+    walk_while(grid, first, last, [&](GLfloat parameter) { return visit(parameter), true; });
+}
+
+// Draws what `walk_points` gives the coordinates of; false where nothing may be drawn.
+template <typename WalkPoints>
+bool draw_points(Context& ctx, GLenum mode, WalkPoints walk_points) {
+    if (!open_primitive(ctx, mode)) return false;
+    walk_points();
+    end(ctx);
+    return true;
 }
 
 void fill_mesh(Context& ctx, const EvaluatorGrid& across, const EvaluatorGrid& up, GLint i1, GLint i2,
                GLint j1, GLint j2) {
     if (j2 == j1) return;
     const GLfloat step = up.step();
-    walk(up, j1, j2 - 1, [&](GLfloat v) {
-        begin(ctx, GL_TRIANGLE_STRIP);
-        walk(across, i1, i2, [&](GLfloat u) {
-            eval_coord2f(ctx, u, v);
-            eval_coord2f(ctx, u, v + step);
+    walk_while(up, j1, j2 - 1, [&](GLfloat v) {
+        return draw_points(ctx, GL_TRIANGLE_STRIP, [&] {
+            walk(across, i1, i2, [&](GLfloat u) {
+                eval_coord2f(ctx, u, v);
+                eval_coord2f(ctx, u, v + step);
+            });
         });
-        end(ctx);
     });
 }
 
@@ -354,9 +371,8 @@ void eval_mesh1(Context& ctx, GLenum mode, GLint i1, GLint i2) {
         return record_error(ctx, GL_INVALID_ENUM, "mode is not GL_POINT or GL_LINE");
     const EvaluatorModes& modes = ctx.evaluators.modes;
     if (vertex_map(modes.enabled_1d) < 0) return;
-    begin(ctx, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    walk(modes.grid_1d, i1, i2, [&](GLfloat u) { eval_coord1f(ctx, u); });
-    end(ctx);
+    draw_points(ctx, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP,
+                [&] { walk(modes.grid_1d, i1, i2, [&](GLfloat u) { eval_coord1f(ctx, u); }); });
 }
 
 void eval_mesh2(Context& ctx, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
@@ -366,22 +382,19 @@ void eval_mesh2(Context& ctx, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j
     if (vertex_map(modes.enabled_2d) < 0) return;
     const EvaluatorGrid &across = modes.grid_2d[0], &up = modes.grid_2d[1];
     if (mode == GL_FILL) return fill_mesh(ctx, across, up, i1, i2, j1, j2);
-    if (mode == GL_POINT) {
-        begin(ctx, GL_POINTS);
-        walk(up, j1, j2,
-             [&](GLfloat v) { walk(across, i1, i2, [&](GLfloat u) { eval_coord2f(ctx, u, v); }); });
-        return end(ctx);
-    }
-    walk(up, j1, j2, [&](GLfloat v) {
-        begin(ctx, GL_LINE_STRIP);
+    const auto walk_across = [&](GLfloat v) {
         walk(across, i1, i2, [&](GLfloat u) { eval_coord2f(ctx, u, v); });
-        end(ctx);
-    });
-    walk(across, i1, i2, [&](GLfloat u) {
-        begin(ctx, GL_LINE_STRIP);
-        walk(up, j1, j2, [&](GLfloat v) { eval_coord2f(ctx, u, v); });
-        end(ctx);
-    });
+    };
+    const auto walk_up = [&](GLfloat u) { walk(up, j1, j2, [&](GLfloat v) { eval_coord2f(ctx, u, v); }); };
+    if (mode == GL_POINT) {
+        draw_points(ctx, GL_POINTS, [&] { walk(up, j1, j2, walk_across); });
+        return;
+    }
+    const bool drawn = walk_while(
+        up, j1, j2, [&](GLfloat v) { return draw_points(ctx, GL_LINE_STRIP, [&] { walk_across(v); }); });
+    if (!drawn) return;
+    walk_while(across, i1, i2,
+               [&](GLfloat u) { return draw_points(ctx, GL_LINE_STRIP, [&] { walk_up(u); }); });
 }
 
 }  // namespace terrazzo::gl

@@ -216,9 +216,9 @@ void vertex4f_slowly(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) n
     });
 }
 
-void begin(Context& ctx, GLenum mode) {
-    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
-    if (!check_framebuffer(ctx)) return;
+bool open_primitive(Context& ctx, GLenum mode) {
+    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive"), false;
+    if (!check_framebuffer(ctx)) return false;
     ctx.vertex.mode = mode;
     ctx.vertex.open_first = ctx.vertex.batch.count;
     ctx.vertex.open = true;
@@ -226,6 +226,11 @@ void begin(Context& ctx, GLenum mode) {
     ctx.vertex.loop_start.clear();
     set_layout(ctx.vertex);
     set_inside_begin_end(ctx, true);
+    return true;
+}
+
+void begin(Context& ctx, GLenum mode) {
+    open_primitive(ctx, mode);
 }
 
 void end(Context& ctx) {
@@ -252,7 +257,7 @@ void end(Context& ctx) {
 }
 
 void rectf(Context& ctx, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-    begin(ctx, GL_QUADS);
+    if (!open_primitive(ctx, GL_QUADS)) return;
     vertex4f(ctx, x1, y1, 0, 1);
     vertex4f(ctx, x2, y1, 0, 1);
     vertex4f(ctx, x2, y2, 0, 1);

@@ -73,6 +73,10 @@ void flush_vertices(Context& ctx);
 // Makes room for one more vertex.
 void grow_batch(Context& ctx);
 
+// Begin, for commands of ours that draw by themselves. False where it is refused, and the error is recorded:
+// then neither vertices nor End may follow.
+bool open_primitive(Context& ctx, GLenum mode);
+
 // Gives the batch a stream for an attribute that was constant so far.
 void stream_attribute(Context& ctx, int attribute);
 

@@ -176,5 +176,53 @@ TEST_F(FramebufferObjectsTest, WithoutAColourBufferNoneIsTouched) {
     EXPECT_EQ(red_of_pixel(), 0);
 }
 
+// What draws by itself stops where Begin is refused: no vertices are left behind for what is drawn next.
+TEST_F(FramebufferObjectsTest, NothingIsCollectedWhileTheObjectIsIncomplete) {
+    const GLfloat points[] = {-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0};
+    map1f(ctx(), GL_MAP1_VERTEX_3, 0, 1, 3, 2, points);
+    map2f(ctx(), GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 2, points);
+    map_grid1f(ctx(), 4, 0, 1);
+    map_grid2f(ctx(), 4, 0, 1, 4, 0, 1);
+    enable(ctx(), GL_MAP1_VERTEX_3);
+    enable(ctx(), GL_MAP2_VERTEX_3);
+    new_list(ctx(), 1, GL_COMPILE);
+    glColor3f(0, 1, 0);
+    glBegin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i) glVertex2f(static_cast<GLfloat>(i), 0);
+    glEnd();
+    end_list(ctx());
+    std::array<GLuint, 64> hits{};
+    select_buffer(ctx(), static_cast<GLsizei>(hits.size()), hits.data());
+    const auto draws = {
+        +[](Context& c) { rectf(c, -1, -1, 1, 1); },
+        +[](Context& c) { eval_mesh1(c, GL_POINT, 0, 4); },
+        +[](Context& c) { eval_mesh1(c, GL_LINE, 0, 4); },
+        +[](Context& c) { eval_mesh2(c, GL_POINT, 0, 4, 0, 4); },
+        +[](Context& c) { eval_mesh2(c, GL_LINE, 0, 4, 0, 4); },
+        +[](Context& c) { eval_mesh2(c, GL_FILL, 0, 4, 0, 4); },
+        +[](Context& c) { call_list(c, 1); },
+    };
+    for (const GLenum mode : {GL_RENDER, GL_SELECT}) {
+        render_mode(ctx(), mode);
+        int number = 0;
+        for (const auto& draw : draws) {
+            bind_framebuffer(ctx(), GL_FRAMEBUFFER, 0);
+            for (int i = 0; i < 3; ++i) rectf(ctx(), -1, -1, 1, 1);
+            finish(ctx());  // a run would begin behind these
+            bind_framebuffer(ctx(), GL_FRAMEBUFFER, 6);
+            draw(ctx());
+            EXPECT_EQ(take_error(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION}) << number;
+            EXPECT_FALSE(ctx().vertex.open) << number;
+            EXPECT_EQ(ctx().vertex.batch.count, 0u) << number;
+            EXPECT_TRUE(ctx().vertex.batch.runs.empty()) << number;
+            ++number;
+        }
+        finish(ctx());
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    }
+    EXPECT_EQ(ctx().vertex.current.color()[1], 1) << "the list's colour";
+    EXPECT_EQ(ctx().vertex.current.color()[0], 0) << "the list's colour";
+}
+
 }  // namespace
 }  // namespace terrazzo::gl
