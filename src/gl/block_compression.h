@@ -21,7 +21,7 @@ struct BlockFormat {
     GLenum base;      // GL_RGB or GL_RGBA
     int block_bytes;  // 8 or 16
 
-    int blocks_across(int width) const { return (width + kBlockSize - 1) / kBlockSize; }
+    int blocks_across(int width) const { return width / kBlockSize + (width % kBlockSize != 0); }
     std::size_t image_bytes(int width, int height) const {
         return static_cast<std::size_t>(blocks_across(width)) *
                static_cast<std::size_t>(blocks_across(height)) * static_cast<std::size_t>(block_bytes);

@@ -150,7 +150,7 @@ void get_compressed_tex_image(Context& ctx, GLenum target_name, GLint level_numb
     memory.require(level.blocks->bytes.size());
     if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
     if (!memory.data) return record_error(ctx, GL_INVALID_VALUE, "image is null");
-    std::memcpy(memory.data, level.blocks->bytes.data(), level.blocks->bytes.size());
+    std::ranges::copy(level.blocks->bytes, memory.data);
 }
 
 }  // namespace terrazzo::gl
