@@ -1,13 +1,16 @@
 // Commands of buffer objects (GL 1.5 §2.9).
 #include "gl/buffers.h"
 
+#include <algorithm>
 #include <cstring>
 #include <mutex>
 #include <new>
+#include <span>
 
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/share.h"
+#include "pipeline/sole_owner.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -55,17 +58,23 @@ bool is_usage(GLenum usage) {
     return false;
 }
 
-// The bytes of the bound buffer's store that a SubData command works on; null where it must fail.
-std::byte* sub_data(Context& ctx, GLenum target, GLintptr offset, GLsizeiptr size) {
+// The part of the bound buffer's store that a SubData command works on; empty where it must fail or has
+// nothing to do. The store stays even if another context replaces it meanwhile.
+struct StorePart {
+    std::shared_ptr<const BufferStore> store;
+    std::span<std::byte> bytes;
+};
+StorePart sub_data(Context& ctx, GLenum target, GLintptr offset, GLsizeiptr size) {
     const BufferObject* const buffer = bound_buffer(ctx, target);
-    if (!buffer) return nullptr;
+    if (!buffer) return {};
     const auto lock = lock_buffers(ctx);
     const auto whole = buffer->store ? static_cast<GLsizeiptr>(buffer->store->size()) : 0;
     if (offset < 0 || size < 0 || offset > whole || size > whole - offset) {
-        return record_error(ctx, GL_INVALID_VALUE, "the range is not in the buffer's store"), nullptr;
+        return record_error(ctx, GL_INVALID_VALUE, "the range is not in the buffer's store"), StorePart{};
     }
-    if (buffer->mapped) return record_error(ctx, GL_INVALID_OPERATION, "the buffer is mapped"), nullptr;
-    return buffer->store ? buffer->store->data() + offset : nullptr;
+    if (buffer->mapped) return record_error(ctx, GL_INVALID_OPERATION, "the buffer is mapped"), StorePart{};
+    if (size == 0) return {};
+    return {buffer->store, {buffer->store->data() + offset, static_cast<std::size_t>(size)}};
 }
 
 // A deleted object is unbound from everything in this context; others keep what they have bound.
@@ -168,7 +177,7 @@ void buffer_data(Context& ctx, GLenum target, GLsizeiptr size, const void* data,
     const auto bytes = static_cast<std::size_t>(size);
     const auto lock = lock_buffers(ctx);
     // Programs that stream vertices save the page faults of a new store.
-    if (data && buffer->store && buffer->store->size() == bytes && buffer->store.use_count() == 1) {
+    if (data && buffer->store && buffer->store->size() == bytes && pipeline::is_sole_owner(buffer->store)) {
         std::memcpy(buffer->store->data(), data, bytes);
     } else {
         buffer->store = std::make_shared<const BufferStore>(bytes, data);
@@ -179,13 +188,13 @@ void buffer_data(Context& ctx, GLenum target, GLsizeiptr size, const void* data,
 }
 
 void buffer_sub_data(Context& ctx, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
-    if (std::byte* const bytes = sub_data(ctx, target, offset, size))
-        std::memcpy(bytes, data, static_cast<std::size_t>(size));
+    const StorePart to = sub_data(ctx, target, offset, size);
+    std::copy_n(static_cast<const std::byte*>(data), to.bytes.size(), to.bytes.data());
 }
 
 void get_buffer_sub_data(Context& ctx, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
-    if (const std::byte* const bytes = sub_data(ctx, target, offset, size))
-        std::memcpy(data, bytes, static_cast<std::size_t>(size));
+    const StorePart from = sub_data(ctx, target, offset, size);
+    std::ranges::copy(from.bytes, static_cast<std::byte*>(data));
 }
 
 void* map_buffer(Context& ctx, GLenum target, GLenum access) {

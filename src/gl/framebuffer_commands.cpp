@@ -258,6 +258,7 @@ void get_framebuffer_attachment_parameteriv(Context& ctx, GLenum target, GLenum 
     const bool is_size =
         pname >= GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE && pname <= GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE;
     if (is_size && !a.is_empty()) {
+        const auto lock = lock_textures(ctx);
         *params = size_in_bits(a, pname);
         return;
     }

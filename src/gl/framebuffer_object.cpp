@@ -159,9 +159,11 @@ std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point) {
     return a.planes;
 }
 
-// Brings a complete object's target up to date with its attachments.
-void compose(Context& ctx, Framebuffer& framebuffer) {
+// Brings the object's target up to date with its attachments; false where it is not complete. Other contexts
+// must not change what is attached in between.
+bool compose_complete(Context& ctx, Framebuffer& framebuffer) {
     const auto lock = lock_textures(ctx);
+    if (status_of(framebuffer) != GL_FRAMEBUFFER_COMPLETE) return false;
     std::array<std::shared_ptr<Target>, kAttachmentCount> planes;
     raster::TargetFormat format = no_planes(true);
     int width = kMaxRenderbufferSize, height = kMaxRenderbufferSize;  // what all of them have
@@ -180,6 +182,7 @@ void compose(Context& ctx, Framebuffer& framebuffer) {
         if (point == kStencilAttachment) format.stencil_bits = own.stencil_bits;
     }
     if (any) framebuffer.compose(width, height, format, planes);
+    return true;
 }
 
 // Writes what was drawn to textures into their images.
@@ -240,8 +243,7 @@ bool check_framebuffer(Context& ctx) {
     const auto framebuffer = ctx.framebuffers.draw;
     if (!framebuffer) return true;
     take_over_buffers(ctx);
-    const bool complete = framebuffer_status(ctx, framebuffer.get()) == GL_FRAMEBUFFER_COMPLETE;
-    if (complete) compose(ctx, *framebuffer);
+    const bool complete = compose_complete(ctx, *framebuffer);
     use_draw_drawable(ctx, complete ? framebuffer : nullptr);
     if (!complete) record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "the frame buffer is not complete");
     return complete;
@@ -257,8 +259,7 @@ bool check_read_framebuffer(Context& ctx) {
     }
     settle_framebuffers(ctx);
     take_over_buffers(ctx);
-    const bool complete = framebuffer_status(ctx, framebuffer.get()) == GL_FRAMEBUFFER_COMPLETE;
-    if (complete) compose(ctx, *framebuffer);
+    const bool complete = compose_complete(ctx, *framebuffer);
     ctx.surface.read = complete ? framebuffer : nullptr;
     if (!complete) record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "the frame buffer is not complete");
     return complete;
@@ -277,7 +278,8 @@ GLint drawn_samples(Context& ctx) {
     int samples = ctx.surface.format.samples;
     if (object) {
         samples = 1;
-        if (framebuffer_status(ctx, object) == GL_FRAMEBUFFER_COMPLETE)
+        const auto lock = lock_textures(ctx);
+        if (status_of(*object) == GL_FRAMEBUFFER_COMPLETE)
             for (const Attachment& a : object->attachments) samples = std::max(samples, samples_of(a));
     }
     return samples > 1 ? samples : 0;

@@ -188,8 +188,10 @@ void renderbuffer_storage(Context& ctx, GLenum target, GLenum internalformat, GL
 void get_renderbuffer_parameteriv(Context& ctx, GLenum target, GLenum pname, GLint* params) {
     if (target != GL_RENDERBUFFER)
         return record_error(ctx, GL_INVALID_ENUM, "the target is not GL_RENDERBUFFER");
+    if (!ctx.framebuffers.renderbuffer)
+        return record_error(ctx, GL_INVALID_OPERATION, "no renderbuffer is bound");
+    const std::lock_guard lock(ctx.shared->mutex);
     const Renderbuffer* const r = ctx.framebuffers.renderbuffer.get();
-    if (!r) return record_error(ctx, GL_INVALID_OPERATION, "no renderbuffer is bound");
     switch (pname) {
         case GL_RENDERBUFFER_WIDTH:
             *params = r->width;

@@ -120,7 +120,11 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     if (!is_level(level_number)) return record_error(ctx, GL_INVALID_VALUE, "no such mipmap level");
     if (box.width < 0 || box.height < 0) return record_error(ctx, GL_INVALID_VALUE, "the size is negative");
     begin_change(ctx, Dirty::kTexture);
-    const TexelFormat* const format = target.level(level_number).format;
+    const TexelFormat* format = nullptr;
+    {
+        const auto lock = lock_textures(ctx);
+        format = target.level(level_number).format;
+    }
     if (!format) return record_error(ctx, GL_INVALID_OPERATION, "the level has no image");
     if (!check_readable_framebuffer(ctx)) return;
     if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)

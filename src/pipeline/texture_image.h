@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/sole_owner.h"
 #include "raster/state.h"
 #include "raster/zeroed_memory.h"
 
@@ -140,7 +141,7 @@ class LevelImage {
     TextureImage* operator->() const { return m_image.get(); }
     TextureImage& operator*() const { return *m_image; }
     const std::shared_ptr<TextureImage>& shared() const { return m_image; }
-    bool in_use() const { return m_image.use_count() > 1; }
+    bool in_use() const { return m_image && !is_sole_owner(m_image); }
 
     // The image to write to: a copy in its place where it is in use. Null, and nothing is changed, when
     // memory is short.
