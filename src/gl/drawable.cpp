@@ -40,6 +40,7 @@ void Drawable::swap_pixels() {
 
 void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
                   std::ptrdiff_t stride) {
+    if (!drawable.target()) return;
     const ColorBuffer selected = drawable.selected();
     drawable.select(buffer);
     raster::Target& target = *drawable.target();

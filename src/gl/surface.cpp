@@ -29,6 +29,12 @@ void use_target(Context& ctx, Drawable* drawable) {
     scissor(ctx, 0, 0, target->width(), target->height());
 }
 
+// Whether what is drawn while `draw_buffer` is chosen, and has been selected, goes to the front buffer.
+bool draws_to_front(const Drawable& drawable, GLenum draw_buffer) {
+    return draw_buffer == GL_FRONT_AND_BACK || draw_buffer == GL_LEFT ||
+           drawable.selected() == ColorBuffer::kFront;
+}
+
 }  // namespace
 
 void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_ptr<Drawable> read) {
@@ -68,20 +74,32 @@ void begin_drawing(Context& ctx) {
 
 void present(Context& ctx) {
     begin_change(ctx, Dirty::kFramebuffer);
-    const GLenum buffer = ctx.framebuffer.draw_buffer;
-    const bool front = buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT ||
-                       (ctx.surface.draw && ctx.surface.draw->selected() == ColorBuffer::kFront);
-    if (!ctx.surface.drawn || !ctx.surface.draw || !front) return;
-    ctx.surface.drawn = false;
+    const bool front = ctx.surface.draw && draws_to_front(*ctx.surface.draw, ctx.framebuffer.draw_buffer);
+    if (!front || !std::exchange(ctx.surface.drawn, false)) return;
     ctx.surface.draw->show_front(ctx);
 }
 
-void copy_picture(Context& ctx, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
-                  std::ptrdiff_t stride) {
+void present_window(Context& ctx) {
+    present(ctx);
+    FramebufferBindings& bindings = ctx.framebuffers;
+    if (!bindings.draw || !bindings.window_draw) return;
+    // All that was queued for the window was drawn when the object took its place.
+    const bool front = draws_to_front(*bindings.window_draw, bindings.window_draw_buffer);
+    if (front && std::exchange(bindings.window_drawn, false)) bindings.window_draw->show_front(ctx);
+}
+
+void picture_was_shown(Context& ctx, const Drawable& window) {
+    if (ctx.framebuffers.window_draw.get() != &window) return;
+    (ctx.framebuffers.draw ? ctx.framebuffers.window_drawn : ctx.surface.drawn) = false;
+}
+
+void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout,
+                  std::byte* bottom_row, std::ptrdiff_t stride) {
+    if (!drawable.target() || ctx.renderer.target() != drawable.target())
+        return copy_picture(drawable, buffer, layout, bottom_row, stride);
     flush_vertices(ctx);
     // Windows have their top row first.
-    std::byte* const top_row = bottom_row + (ctx.surface.height - 1) * stride;
-    Drawable& drawable = *ctx.surface.draw;
+    std::byte* const top_row = bottom_row + (drawable.height() - 1) * stride;
     const ColorBuffer selected = drawable.selected();
     if (drawable.is_double_buffered() && buffer != selected) {
         ctx.renderer.finish();

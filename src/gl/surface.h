@@ -48,10 +48,17 @@ void begin_drawing(Context& ctx);
 // Draws what is queued and shows it if there is anything new to be seen.
 void present(Context& ctx);
 
-// Draws what is queued and copies a colour buffer of the drawable that is drawn to (or its depth) out;
-// `bottom_row` is where the lowest row goes. Throws std::bad_alloc only if a front buffer's pixels are asked
-// for that are not there yet.
-void copy_picture(Context& ctx, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
-                  std::ptrdiff_t stride);
+// Draws what the context has queued for the drawable, whatever is bound by now, and copies a colour buffer (or
+// the depth) out; `bottom_row` is where the lowest row goes. Throws std::bad_alloc only if a front buffer's
+// pixels are asked for that are not there yet.
+void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout,
+                  std::byte* bottom_row, std::ptrdiff_t stride);
+
+// The same for the calls of window systems, which mean the window whatever is bound: while a frame buffer object
+// is, present() leaves the window's picture for later, as the reference does.
+void present_window(Context& ctx);
+
+// The window's picture has been shown: nothing new is to be seen until something is drawn.
+void picture_was_shown(Context& ctx, const Drawable& window);
 
 }  // namespace terrazzo::gl

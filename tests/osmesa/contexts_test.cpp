@@ -1,4 +1,7 @@
 // Lives of OSMesa contexts: sharing, threads, destruction in odd places, arguments that make no sense.
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
 #include <GL/osmesa.h>
 #include <gtest/gtest.h>
 
@@ -75,6 +78,51 @@ TEST_F(OsmesaContexts, TheDepthBufferHasWhatIsQueuedToo) {
     const auto* values = static_cast<const GLuint*>(depth);
     EXPECT_EQ(values[0] & 0xffffff, 0x800000u);  // 0.5 of 2^24 - 1, to the nearest even
     EXPECT_EQ(values[1] & 0xffffff, 0xffffffu);
+}
+
+// The window's depth buffer, whatever is drawn to by then.
+TEST_F(OsmesaContexts, TheDepthBufferIsTheWindowsWhileAnObjectIsBound) {
+    const auto context = make_context();
+    ASSERT_TRUE(make_current(context));
+    glClearDepth(0.5);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    const auto expect_windows = [&](GLuint expected) {
+        GLint width = 0, height = 0, bytes = 0;
+        void* depth = nullptr;
+        ASSERT_TRUE(OSMesaGetDepthBuffer(context.get(), &width, &height, &bytes, &depth));
+        EXPECT_EQ(width, kSize);
+        EXPECT_EQ(height, kSize);
+        ASSERT_EQ(bytes, 4);
+        const auto* values = static_cast<const GLuint*>(depth);
+        EXPECT_EQ(values[0] & 0xffffff, expected);
+        EXPECT_EQ(values[kSize * kSize - 1] & 0xffffff, expected);
+    };
+    glBindFramebuffer(GL_FRAMEBUFFER, 4);
+    expect_windows(0x800000);  // of an object without anything
+    const auto attach = [](GLenum attachment, GLuint name, GLenum format, GLsizei size) {
+        glBindRenderbuffer(GL_RENDERBUFFER, name);
+        glRenderbufferStorage(GL_RENDERBUFFER, format, size, size);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
+    };
+    for (const GLsizei size : {8, 1000}) {
+        glBindFramebuffer(GL_FRAMEBUFFER, 4);
+        attach(GL_COLOR_ATTACHMENT0, 1, GL_RGBA8, size);
+        glClearDepth(0.25);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);  // colour alone
+        expect_windows(0x800000);
+        attach(GL_DEPTH_ATTACHMENT, 2, GL_DEPTH24_STENCIL8, size);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        ASSERT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+        expect_windows(0x800000);
+        GLuint drawn = 0;
+        glReadPixels(1, 1, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, &drawn);
+        EXPECT_EQ(drawn >> 24, 0x3fu);  // and what is in the object is still there
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glClearDepth(0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    expect_windows(0);  // what has been asked for once is not what is asked for now
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
 TEST_F(OsmesaContexts, PartnersShareListsAndSurviveEachOther) {

@@ -32,8 +32,8 @@ class Window : public Drawable {
         show(ctx, ColorBuffer::kFront);
     }
     void show(Context& ctx, ColorBuffer buffer) {
-        copy_picture(ctx, buffer, pipeline::PixelLayout::kRgba8, reinterpret_cast<std::byte*>(screen.data()),
-                     kSize * 4);
+        copy_picture(ctx, *this, buffer, pipeline::PixelLayout::kRgba8,
+                     reinterpret_cast<std::byte*>(screen.data()), kSize * 4);
     }
 
     std::vector<Pixel> screen;
@@ -199,6 +199,52 @@ TEST_F(DrawableTest, PopAttribGoesBackToTheBuffer) {
     clear_to(kGreen);
     EXPECT_EQ(read(GL_BACK), kGreen);
     EXPECT_EQ(read(GL_FRONT), kBlue);
+}
+
+// What window systems are asked for is the window's, also while a frame buffer object takes its place.
+TEST_F(DrawableTest, TheWindowIsThereBehindAnObject) {
+    for (const Buffering buffering : {Buffering::kSingle, Buffering::kDouble}) {
+        open(buffering);
+        const bool is_double = buffering == Buffering::kDouble;
+        clear_to(kRed);
+        glBindRenderbuffer(GL_RENDERBUFFER, 1);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 2 * kSize, 2 * kSize);
+        glBindFramebuffer(GL_FRAMEBUFFER, 1);
+        const int picture = window->shown;
+        window->show(*context, ColorBuffer::kBack);  // nothing is attached yet
+        EXPECT_EQ(window->screen[kSize * kSize - 1], kRed);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, 1);
+        clear_to(kGreen);
+        window->screen.assign(window->screen.size(), kShown);
+        window->show(*context, ColorBuffer::kBack);
+        EXPECT_EQ(window->screen[0], kRed);
+        EXPECT_EQ(window->screen[kSize * kSize - 1], kRed);
+        window->screen.assign(window->screen.size(), kShown);
+        present_window(*context);
+        EXPECT_EQ(window->shown, picture + !is_double);
+        EXPECT_EQ(window->screen[0], is_double ? kShown : kRed);
+        present_window(*context);
+        EXPECT_EQ(window->shown, picture + !is_double) << "once";
+        EXPECT_EQ(read(GL_COLOR_ATTACHMENT0), kGreen);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glFlush();
+        EXPECT_EQ(window->shown, picture + !is_double);
+        EXPECT_EQ(read(is_double ? GL_BACK : GL_FRONT), kRed);
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    }
+}
+
+TEST_F(DrawableTest, APictureThatWasShownBehindAnObjectIsOld) {
+    open(Buffering::kDouble);
+    clear_to(kRed);
+    glBindFramebuffer(GL_FRAMEBUFFER, 1);
+    picture_was_shown(*context, *window);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    EXPECT_FALSE(context->surface.drawn) << "the next picture begins with the window's size";
+    clear_to(kRed);
+    EXPECT_TRUE(context->surface.drawn);
+    picture_was_shown(*context, *window);
+    EXPECT_FALSE(context->surface.drawn);
 }
 
 TEST_F(DrawableTest, OtherDrawablesAndNone) {

@@ -11,8 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "gl/context.h"
 #include "attach_picture.h"
+#include "gl/context.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -59,7 +59,8 @@ Outcome outcome_of(Context& ctx) {
     outcome.errors = ctx.error.count;
     if (ctx.vertex.open) glEnd();
     outcome.pixels.resize(kSize * kSize * 4);
-    copy_picture(ctx, ColorBuffer::kFront, pipeline::PixelLayout::kRgba8, outcome.pixels.data(), kSize * 4);
+    copy_picture(ctx, *ctx.surface.draw, ColorBuffer::kFront, pipeline::PixelLayout::kRgba8,
+                 outcome.pixels.data(), kSize * 4);
     const auto append = [&](auto query, int count) {
         std::array<GLfloat, 16> values{};
         query(values.data());

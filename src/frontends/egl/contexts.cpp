@@ -244,7 +244,10 @@ EGLBoolean eglQueryContext(EGLDisplay handle, EGLContext context_handle, EGLint 
 
 EGLBoolean eglWaitClient() try {
     egl::set_error(EGL_SUCCESS);
-    if (const auto context = egl::current_context()) gl::finish(*context->gl);
+    if (const auto context = egl::current_context()) {
+        gl::present_window(*context->gl);
+        gl::finish(*context->gl);
+    }
     return EGL_TRUE;
 } catch (const std::exception&) {
     return egl::fail(EGL_BAD_ALLOC);

@@ -304,7 +304,10 @@ EGLBoolean eglSwapBuffers(EGLDisplay handle, EGLSurface surface_handle) try {
     gl::Context* const ctx = context_drawing_to(*surface);
     // Only a window's back buffer is swapped; of others what has been drawn so far is drawn.
     if (!surface->server || !surface->buffers->is_double_buffered()) {
-        if (ctx) gl::finish(*ctx);
+        if (ctx) {
+            gl::present_window(*ctx);
+            gl::finish(*ctx);
+        }
         return EGL_TRUE;
     }
     if (surface->swap_interval > 0)

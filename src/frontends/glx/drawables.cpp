@@ -181,7 +181,7 @@ GLXPbuffer create_pbuffer(Display* display, const glx::Config* config, PbufferRe
 // The calling thread's context if it draws to the drawable.
 gl::Context* context_drawing_to(const glx::Drawable& drawable) {
     const auto context = glx::current_context();
-    return context && context->gl->surface.draw == drawable.buffers ? context->gl.get() : nullptr;
+    return context && context->gl->framebuffers.window_draw == drawable.buffers ? context->gl.get() : nullptr;
 }
 
 // Nobody sees a pbuffer, but its front buffer can be read.
@@ -372,7 +372,7 @@ void glXCopySubBufferMESA(Display* display, GLXDrawable name, int x, int y, int 
 
 void glXWaitGL() try {
     if (const auto context = glx::current_context()) {
-        gl::present(*context->gl);
+        gl::present_window(*context->gl);
         if (Display* display = context->display->display) XSync(display, False);
     }
 } catch (const std::exception&) {
@@ -386,8 +386,9 @@ void glXWaitX() try {
     Display* const display = context ? context->display->display : nullptr;
     if (!display) return;
     XSync(display, False);
-    if (!context->gl->surface.draw) return;
-    context->gl->surface.draw->follow_window(gl::Follow::kNow);
+    const auto& window = context->gl->framebuffers.window_draw;
+    if (!window) return;
+    window->follow_window(gl::Follow::kNow);
     gl::follow_drawables(*context->gl);
 } catch (const std::bad_alloc&) {
     // The picture keeps the size it has.

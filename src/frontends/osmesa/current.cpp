@@ -48,7 +48,7 @@ osmesa_context* current_context() {
 void set_current(osmesa_context* context) {
     osmesa_context* const before = this_thread.context;
     if (context != before) {
-        if (before) gl::present(*before->gl);
+        if (before) gl::present_window(*before->gl);
         if (context) take(*context);
         this_thread.context = context;
     }

@@ -171,7 +171,7 @@ GLboolean OSMesaGetDepthBuffer(OSMesaContext context, GLint* width, GLint* heigh
     *width = *height = *bytes_per_value = 0;
     *buffer = nullptr;
     if (!context || !context->buffer || context->gl->config.depth_bits == 0) return GL_FALSE;
-    if (context->depth.empty()) osmesa::read_depth(*context);
+    osmesa::read_depth(*context);
     *width = context->width;
     *height = context->height;
     *bytes_per_value = context->gl->config.depth_bits == 16 ? 2 : 4;

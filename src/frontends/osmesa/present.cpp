@@ -14,13 +14,13 @@ namespace {
 
 // What comes to the client's buffer is a frame to `terrazzo run`. It is told without the time of the copy,
 // which is part of drawing the last bins.
-void tell_watcher(gl::Context& ctx, int width, int height) {
+void tell_watcher(gl::Context& ctx, gl::Drawable& drawable, int width, int height) {
     if (!window::is_watched()) return;
     std::vector<std::byte> rows;
     if (window::wants_pictures()) {
         const std::ptrdiff_t stride = std::ptrdiff_t{4} * width;
         rows.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
-        gl::copy_picture(ctx, gl::ColorBuffer::kFront, pipeline::PixelLayout::kRgba8,
+        gl::copy_picture(ctx, drawable, gl::ColorBuffer::kFront, pipeline::PixelLayout::kRgba8,
                          rows.data() + (height - 1) * stride, -stride);
     }
     window::watch_frame(width, height, 0, rows.empty() ? nullptr : rows.data());
@@ -39,13 +39,13 @@ void ClientBuffer::show_front(gl::Context& ctx) {
     const int row_pixels = context.row_length > 0 ? context.row_length : context.width;
     const std::ptrdiff_t stride = std::ptrdiff_t{row_pixels} * pipeline::bytes_per_pixel(layout);
     if (context.y_up) {
-        gl::copy_picture(ctx, gl::ColorBuffer::kFront, layout, context.buffer, stride);
+        gl::copy_picture(ctx, *this, gl::ColorBuffer::kFront, layout, context.buffer, stride);
     } else {
-        gl::copy_picture(ctx, gl::ColorBuffer::kFront, layout, context.buffer + (context.height - 1) * stride,
-                         -stride);
+        gl::copy_picture(ctx, *this, gl::ColorBuffer::kFront, layout,
+                         context.buffer + (context.height - 1) * stride, -stride);
     }
     if (!context.depth.empty()) read_depth(context);
-    tell_watcher(ctx, context.width, context.height);
+    tell_watcher(ctx, *this, context.width, context.height);
 }
 
 void read_depth(osmesa_context& context) {
@@ -54,7 +54,8 @@ void read_depth(osmesa_context& context) {
                                              : pipeline::PixelLayout::kDepth24Stencil8;
     const std::ptrdiff_t stride = std::ptrdiff_t{context.width} * pipeline::bytes_per_pixel(layout);
     context.depth.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(context.height));
-    gl::copy_picture(*context.gl, gl::ColorBuffer::kFront, layout, context.depth.data(), stride);
+    gl::copy_picture(*context.gl, *context.drawable, gl::ColorBuffer::kFront, layout, context.depth.data(),
+                     stride);
 }
 
 }  // namespace terrazzo::osmesa

@@ -33,7 +33,7 @@ bool make_current(const Binding& wanted) {
     const bool same_context = now.context == wanted.context;
     if (!same_context && wanted.context && wanted.context->is_current.exchange(true)) return false;
     try {
-        if (now.context && (!same_context || now.draw != wanted.draw)) gl::present(*now.context->gl);
+        if (now.context && (!same_context || now.draw != wanted.draw)) gl::present_window(*now.context->gl);
         // The context that is let go of keeps no drawables: those of a closed display must not outlive it
         // there.
         if (now.context && !same_context) gl::attach_drawables(*now.context->gl, nullptr, nullptr);

@@ -132,8 +132,8 @@ void ServerDrawable::copy_to_image(gl::Context* ctx, gl::ColorBuffer buffer) {
     take_answer();  // the server may still be reading the last picture
     Image& to = image();
     std::byte* const bottom_row = to.data() + (height() - 1) * to.stride();
-    if (ctx && ctx->surface.draw.get() == this) {
-        gl::copy_picture(*ctx, buffer, m_format.visual.layout, bottom_row, -to.stride());
+    if (ctx) {
+        gl::copy_picture(*ctx, *this, buffer, m_format.visual.layout, bottom_row, -to.stride());
     } else {
         gl::copy_picture(*this, buffer, m_format.visual.layout, bottom_row, -to.stride());
     }
@@ -166,7 +166,7 @@ void ServerDrawable::swap(gl::Context* ctx) {
     copy_to_image(ctx, gl::ColorBuffer::kBack);
     show(0, 0, width(), height());
     swap_pixels();
-    if (ctx && ctx->surface.draw.get() == this) ctx->surface.drawn = false;
+    if (ctx) gl::picture_was_shown(*ctx, *this);
     ++m_swaps;
     m_age = has_front_pixels() ? (m_age == 0 ? 0 : 2) : 1;
     if (answer) resize(answer->width, answer->height);
