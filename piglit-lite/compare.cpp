@@ -115,7 +115,7 @@ Drawing drawing_of(const kit::ChildReport& report) {
     drawing.colour = result["colour"].get_binary();
     const std::vector<std::uint8_t>& depth = result["depth"].get_binary();
     drawing.depth.resize(depth.size() / sizeof(std::uint32_t));
-    std::memcpy(drawing.depth.data(), depth.data(), depth.size());
+    std::ranges::copy(depth, reinterpret_cast<std::uint8_t*>(drawing.depth.data()));
     drawing.stencil = result["stencil"].get_binary();
     drawing.errors = result["errors"].get<std::vector<std::string>>();
     for (const auto& value : result["values"])

@@ -43,6 +43,7 @@ SCENE(bitmap_sizes, "widths from 1 to 40 at every place relative to a tile, in c
 
 SCENE(bitmap_origin, "corners are rounded down from the position less the origin; the position moves on") {
     pixel_projection(gl);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.Color3f(1, 1, 0);
     for (int i = 0; i < 16; ++i) {
         const float part = static_cast<float>(i) / 16;

@@ -123,6 +123,7 @@ SCENE(feedback_others,
     pixel_projection(gl);
     const GLubyte bits[8] = {255, 255, 255, 255, 255, 255, 255, 255};
     const std::vector<std::uint8_t> picture = painted_texels(8, 8);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     for (GLenum type = GL_2D; type <= GL_4D_COLOR_TEXTURE; ++type) {
         note_feedback(gl, notes, "type " + std::to_string(type), type, [&] {
             gl.PassThrough(1.5F);
