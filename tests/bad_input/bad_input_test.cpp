@@ -298,10 +298,11 @@ class RandomArguments {
             return pick(2) ? kEnums[pick(std::size(kEnums))] : static_cast<long long>(pick(0x9000));
         }
         const std::string name = call.name;
-        // Elements of arrays that may be set, and what later calls go by: in the buffer.
+        // Elements of arrays that may be set, the strides of maps, and what later calls go by: in the buffer.
+        const bool is_map = name.starts_with("glMap1") || name.starts_with("glMap2");
         const bool small = name.find("Draw") != std::string::npos || name.starts_with("glArrayElement") ||
                            name.starts_with("glPixelStore") || name.starts_with("glBufferData") ||
-                           (kind == 'n' && !null);
+                           ((kind == 'n' || is_map) && !null);
         if (small || pick(3)) return static_cast<long long>(pick(12)) - 3;
         constexpr long long kExtreme[] = {0x7fffffff, -0x7fffffff - 1, 0x10000, 255, -1};
         return kExtreme[pick(std::size(kExtreme))];
