@@ -20,8 +20,7 @@ TriangleSetup triangle_setup(const DrawState& state) {
     setup.multisample = state.fragment->fill.multisample;
     setup.flat = r.flat;
     setup.two_sided = state.vertex.lighting.enabled && state.vertex.lighting.two_sided;
-    // Enabling any of the offsets is enough where no stage comes in between: the reference's way.
-    setup.offset = r.offset_fill || r.offset_line || r.offset_point;
+    setup.offset = r.offset_fill;
     setup.offset_factor = r.offset_factor;
     setup.offset_units = r.offset_units;
     return setup;

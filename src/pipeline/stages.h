@@ -54,7 +54,7 @@ class PrimitiveStages {
     Facing facing(const int (&v)[3]) const;
     void copy_triangle(const int (&v)[3], int (&copies)[3]);
     void take_back_colors(const int (&v)[3]);
-    void offset_depth(const int (&v)[3], float determinant, bool enabled);
+    void offset_depth(const int (&v)[3], float determinant);
 
     // line_stipple.cpp
     void restart_lines() {
@@ -71,7 +71,6 @@ class PrimitiveStages {
     const int m_columns;
     uint32_t& m_stipple_counter;
     const bool m_two_sided;
-    const bool m_offsets;
     bool m_takes_triangles;
     bool m_chained = false;  // points and polygons of the piece restart the line stipple
     SmoothShapes m_smooth;

@@ -29,14 +29,15 @@ PrimitiveStages::PrimitiveStages(PrimitiveSetup& setup, ShadedVertices& vertices
       m_columns(columns),
       m_stipple_counter(stipple_counter),
       m_two_sided(state.vertex.lighting.enabled && state.vertex.lighting.two_sided),
-      m_offsets(state.raster.offset_fill || state.raster.offset_line || state.raster.offset_point),
       m_smooth(setup, vertices, state, columns),
       m_filled(triangle_setup(state)) {
     const RasterState& r = state.raster;
     const bool unfilled = r.fill[0] != FillMode::kFill || r.fill[1] != FillMode::kFill;
     const bool in_use = unfilled || r.point_smooth || r.line_smooth || r.line_stipple || r.polygon_stipple;
+    // Any of the offsets sends a draw through the reference's chain, though each moves only its own kind.
+    const bool offsets = r.offset_fill || r.offset_line || r.offset_point;
     m_takes_triangles =
-        setup.is_observed() || (in_use && (unfilled || r.polygon_stipple || m_offsets || m_two_sided));
+        setup.is_observed() || (in_use && (unfilled || r.polygon_stipple || offsets || m_two_sided));
     m_filled.two_sided = false;
     m_filled.offset = false;
 }
@@ -86,7 +87,7 @@ void PrimitiveStages::take_back_colors(const int (&v)[3]) {
     }
 }
 
-void PrimitiveStages::offset_depth(const int (&v)[3], float determinant, bool enabled) {
+void PrimitiveStages::offset_depth(const int (&v)[3], float determinant) {
     const float* const x = m_vertices.column(kWindowX);
     const float* const y = m_vertices.column(kWindowY);
     float* const z = m_vertices.column(kWindowZ);
@@ -95,9 +96,8 @@ void PrimitiveStages::offset_depth(const int (&v)[3], float determinant, bool en
     const float inverse = 1.0f / determinant;
     const float dzdx = std::fabs((ey * fz - ez * fy) * inverse);
     const float dzdy = std::fabs((ez * fx - ex * fz) * inverse);
-    const float factor = enabled ? m_state.raster.offset_factor : 0.0f;
-    const float units = enabled ? m_state.raster.offset_units : 0.0f;
-    const float offset = units + larger(dzdx, dzdy) * factor;
+    const float offset =
+        m_state.raster.offset_units + larger(dzdx, dzdy) * m_state.raster.offset_factor;
     for (const int slot : v) z[slot] = saturate(z[slot] + offset);
 }
 
@@ -107,15 +107,13 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
     if (side.back ? r.cull_back : r.cull_front) return;
     const FillMode mode = r.fill[side.back ? 1 : 0];
     const bool flattens = r.flat && mode != FillMode::kFill;
+    const bool offsets = mode == FillMode::kFill   ? r.offset_fill
+                         : mode == FillMode::kLine ? r.offset_line
+                                                   : r.offset_point;
     int v[3] = {polygon[0], polygon[1], polygon[2]};
-    if (m_two_sided || m_offsets || flattens) copy_triangle(polygon, v);
+    if (m_two_sided || offsets || flattens) copy_triangle(polygon, v);
     if (m_two_sided && side.back && side.determinant != 0) take_back_colors(v);
-    if (m_offsets) {
-        const bool enabled = mode == FillMode::kFill   ? r.offset_fill
-                             : mode == FillMode::kLine ? r.offset_line
-                                                       : r.offset_point;
-        offset_depth(v, side.determinant, enabled);
-    }
+    if (offsets) offset_depth(v, side.determinant);
     if (flattens) copy_colors(v[2], v[0]), copy_colors(v[2], v[1]);
     switch (mode) {
         case FillMode::kFill:

@@ -52,13 +52,18 @@ void set_view(const Gl& gl, Random& random) {
 }
 
 void set_polygons(const Gl& gl, Random& random) {
-    gl.PolygonMode(GL_FRONT_AND_BACK, random.one_of<GLenum>({GL_FILL, GL_FILL, GL_LINE, GL_LINE, GL_POINT}));
+    const GLenum mode = random.one_of<GLenum>({GL_FILL, GL_FILL, GL_LINE, GL_LINE, GL_POINT});
+    gl.PolygonMode(GL_FRONT_AND_BACK, mode);
     enable(gl, GL_CULL_FACE, random.chance(3));
     gl.CullFace(random.one_of<GLenum>({GL_FRONT, GL_BACK}));
     gl.FrontFace(random.one_of<GLenum>({GL_CW, GL_CCW}));
     gl.ShadeModel(random.one_of<GLenum>({GL_FLAT, GL_SMOOTH}));
-    for (const GLenum which : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
-        enable(gl, which, random.chance(2));
+    // The reference moves filled polygons with any of the three: these are never the only ones.
+    const bool any = mode != GL_FILL || random.chance(2);
+    for (const GLenum which : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT}) {
+        const bool on = random.chance(2);
+        enable(gl, which, any && (on || (mode == GL_FILL && which == GL_POLYGON_OFFSET_FILL)));
+    }
     const GLfloat offset[2] = {random.number(-3, 3), random.number(-400, 400)};
     gl.PolygonOffset(offset[0], offset[1]);
     enable(gl, GL_POLYGON_STIPPLE, random.chance(5));
