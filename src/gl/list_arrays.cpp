@@ -133,6 +133,14 @@ void draw(Context& ctx, const ArraysRecord& record) {
                     record.w_is_one);
 }
 
+// A wrong mode is an error without any draw too, as it is outside of lists.
+template <typename Draw>
+void record_draws(Context& ctx, GLenum mode, GLsizei count, Draw draw) {
+    const auto [error, rule] = error_of_draw(ctx, mode, count);
+    if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
+    for (GLsizei i = 0; i < count; ++i) draw(i);
+}
+
 }  // namespace
 
 // The current values stay what they were, as in the reference; GL leaves them indeterminate.
@@ -145,9 +153,9 @@ void play_arrays(Context& ctx, const ArraysRecord& record) {
 }
 
 void Compile::ArrayElement(Context& ctx, GLint i) {
-    if (i < 0) return record_list_error(ctx, GL_INVALID_VALUE, "the element is negative");
+    if (i < 0) return error(ctx, GL_INVALID_VALUE, "the element is negative");
     const EnabledArrays arrays(ctx);
-    if (arrays.any_mapped()) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
+    if (arrays.any_mapped()) return error(ctx, GL_INVALID_OPERATION, kMapped);
     for (const ReadableArray& array : arrays) {
         const std::array<GLfloat, 4> v = array.element(static_cast<GLuint>(i));
         switch (array.attribute) {
@@ -177,6 +185,7 @@ void Compile::ArrayElement(Context& ctx, GLint i) {
                                 v[0], v[1], v[2], v[3]);
         }
     }
+    if (arrays.index()) Indexf(ctx, arrays.index()->element(i)[0]);
 }
 
 void Compile::DrawArrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
@@ -202,19 +211,17 @@ void Compile::DrawRangeElements(Context& ctx, GLenum mode, GLuint start, GLuint 
 
 void Compile::MultiDrawArrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count,
                               GLsizei drawcount) {
-    if (drawcount < 0) record_list_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
-    for (GLsizei i = 0; i < drawcount; ++i) {
+    record_draws(ctx, mode, drawcount, [&](GLsizei i) {
         if (count[i] > 0) record_draw_arrays(ctx, mode, first[i], count[i]);
-    }
+    });
     if (ctx.lists.execute_too) ctx.dispatch.execute->MultiDrawArrays(&ctx, mode, first, count, drawcount);
 }
 
 void Compile::MultiDrawElements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type,
                                 const void* const* indices, GLsizei drawcount) {
-    if (drawcount < 0) record_list_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
-    for (GLsizei i = 0; i < drawcount; ++i) {
+    record_draws(ctx, mode, drawcount, [&](GLsizei i) {
         if (count[i] > 0) record_draw_elements(ctx, mode, count[i], type, indices[i]);
-    }
+    });
     if (ctx.lists.execute_too)
         ctx.dispatch.execute->MultiDrawElements(&ctx, mode, count, type, indices, drawcount);
 }

@@ -2,8 +2,10 @@
 #include "state_dump.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <iterator>
 
 namespace terrazzo::test {
@@ -418,9 +420,8 @@ constexpr Name kEnvironments[] = {TERRAZZO_NAME(GL_TEXTURE_ENV)};
 // -0 is written as 0: which of them a matrix product gives depends, in the reference, on when it last looked
 // at the matrix.
 std::string text(GLdouble value) {
-    char buffer[64];
-    std::snprintf(buffer, sizeof buffer, " %a", value + 0.0);
-    return buffer;
+    char buffer[64] = " ";
+    return {buffer, std::to_chars(buffer + 1, std::end(buffer), value + 0.0, std::chars_format::hex).ptr};
 }
 
 // One query; values that it must not write would show as the pattern it starts from.
@@ -537,6 +538,176 @@ std::vector<std::string> dump_state(const kit::Gl& gl) {
     }));
     dump_polygon_stipple(gl, dump);
     dump.push_back("error after the queries" + text(gl.GetError()));
+    return dump;
+}
+
+namespace {
+
+std::string numbered(const char* name, GLenum first, GLenum value) {
+    return name + std::to_string(value - first);
+}
+
+template <std::size_t kCount>
+std::vector<Name> enumerated(GLenum first, const char* name, std::array<std::string, kCount>& texts) {
+    std::vector<Name> out;
+    for (std::size_t i = 0; i < kCount; ++i) {
+        texts[i] = name + std::to_string(i);
+        out.push_back({first + static_cast<GLenum>(i), texts[i].c_str()});
+    }
+    return out;
+}
+
+void dump_lights_and_planes(const kit::Gl& gl, Dump& dump) {
+    std::array<std::string, 8> lights;
+    dump_objects(enumerated(GL_LIGHT0, "light", lights), kLightParameters, gl.GetLightfv, gl.GetLightiv,
+                 dump);
+    for (GLenum plane = GL_CLIP_PLANE0; plane <= GL_CLIP_PLANE5; ++plane) {
+        dump.push_back(query_line<GLdouble>(numbered("plane", GL_CLIP_PLANE0, plane), "double", 4,
+                                            [&](auto* p) { gl.GetClipPlane(plane, p); }));
+    }
+    for (GLenum first : {GLenum{GL_LIGHT0}, GLenum{GL_CLIP_PLANE0}}) {
+        for (GLenum i = 0; i < (first == GL_LIGHT0 ? 8u : 6u); ++i)
+            dump.push_back(numbered("capability", 0, first + i) + text(gl.IsEnabled(first + i)));
+    }
+}
+
+// GL_CURRENT_RASTER_TEXTURE_COORDS and the matrices too: all that belongs to a unit.
+void dump_units(const kit::Gl& gl, Dump& dump) {
+    GLint active = 0, client_active = 0;
+    gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    gl.GetIntegerv(GL_CLIENT_ACTIVE_TEXTURE, &client_active);
+    constexpr Variable kUnit[] = {{TERRAZZO_NAME(GL_CURRENT_TEXTURE_COORDS), 4},
+                                  {TERRAZZO_NAME(GL_CURRENT_RASTER_TEXTURE_COORDS), 4},
+                                  {TERRAZZO_NAME(GL_TEXTURE_MATRIX), 16},
+                                  {TERRAZZO_NAME(GL_TEXTURE_STACK_DEPTH), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_BINDING_1D), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_BINDING_2D), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_BINDING_3D), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_BINDING_CUBE_MAP), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_1D), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_2D), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_3D), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_CUBE_MAP), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_GEN_S), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_GEN_T), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_GEN_R), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_GEN_Q), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_SIZE), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_TYPE), 1},
+                                  {TERRAZZO_NAME(GL_TEXTURE_COORD_ARRAY_STRIDE), 1}};
+    for (GLenum unit = GL_TEXTURE0; unit <= GL_TEXTURE7; ++unit) {
+        gl.ActiveTexture(unit);
+        gl.ClientActiveTexture(unit);
+        dump.push_back(numbered("unit ", GL_TEXTURE0, unit));
+        for (const Variable& v : kUnit) {
+            dump.push_back(query_line<GLfloat>(v.name.text, "float", v.count,
+                                               [&](auto* p) { gl.GetFloatv(v.name.value, p); }));
+        }
+        dump_objects(kCoordinates, kTexgenParameters, gl.GetTexGenfv, gl.GetTexGeniv, dump);
+        dump_objects(kEnvironments, kEnvironmentParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
+        dump_objects(kFilterControls, kFilterControlParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
+        dump_objects(kPointSprites, kPointSpriteParameters, gl.GetTexEnvfv, gl.GetTexEnviv, dump);
+    }
+    gl.ActiveTexture(static_cast<GLenum>(active));
+    gl.ClientActiveTexture(static_cast<GLenum>(client_active));
+}
+
+// The images of the active unit's textures, as the floats that they are read back as.
+void dump_images(const kit::Gl& gl, Dump& dump) {
+    constexpr GLenum kImages[] = {GL_TEXTURE_1D,
+                                  GL_TEXTURE_2D,
+                                  GL_TEXTURE_3D,
+                                  GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+                                  GL_TEXTURE_CUBE_MAP_NEGATIVE_X,
+                                  GL_TEXTURE_CUBE_MAP_POSITIVE_Y,
+                                  GL_TEXTURE_CUBE_MAP_NEGATIVE_Y,
+                                  GL_TEXTURE_CUBE_MAP_POSITIVE_Z,
+                                  GL_TEXTURE_CUBE_MAP_NEGATIVE_Z};
+    constexpr GLenum kLevel[] = {GL_TEXTURE_WIDTH,      GL_TEXTURE_HEIGHT,          GL_TEXTURE_DEPTH,
+                                 GL_TEXTURE_BORDER,     GL_TEXTURE_INTERNAL_FORMAT, GL_TEXTURE_RED_SIZE,
+                                 GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE,  GL_TEXTURE_INTENSITY_SIZE,
+                                 GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_COMPRESSED};
+    for (GLenum image : kImages) {
+        for (GLint level = 0; level < 2; ++level) {
+            std::string line = "image " + std::to_string(image) + " level " + std::to_string(level);
+            GLint values[std::size(kLevel)] = {};
+            for (std::size_t i = 0; i < std::size(kLevel); ++i) {
+                gl.GetTexLevelParameteriv(image, level, kLevel[i], &values[i]);
+                line += ' ' + std::to_string(values[i]);
+            }
+            const auto texels = static_cast<std::size_t>(values[0]) *
+                                static_cast<std::size_t>(std::max(values[1], 1)) *
+                                static_cast<std::size_t>(std::max(values[2], 1));
+            if (texels > 0 && texels <= 4096) {
+                std::vector<GLfloat> read(texels * 4);
+                gl.GetTexImage(image, level, values[9] ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, read.data());
+                std::uint64_t hash = 1469598103934665603u;
+                for (GLfloat value : read) {
+                    hash = (hash ^ std::bit_cast<std::uint32_t>(value + 0.0f)) * 1099511628211u;
+                }
+                line += " texels " + std::to_string(hash);
+            }
+            dump.push_back(line);
+        }
+    }
+}
+
+void dump_pixel_maps(const kit::Gl& gl, Dump& dump) {
+    for (GLenum map = GL_PIXEL_MAP_I_TO_I; map <= GL_PIXEL_MAP_A_TO_A; ++map) {
+        GLint size = 0;
+        gl.GetIntegerv(GL_PIXEL_MAP_I_TO_I_SIZE + (map - GL_PIXEL_MAP_I_TO_I), &size);
+        GLfloat values[256] = {};
+        gl.GetPixelMapfv(map, values);
+        std::string line = numbered("pixel map ", GL_PIXEL_MAP_I_TO_I, map);
+        for (GLint i = 0; i < std::clamp(size, 0, 256); ++i) line += text(static_cast<GLdouble>(values[i]));
+        dump.push_back(line);
+    }
+}
+
+void dump_evaluators(const kit::Gl& gl, Dump& dump) {
+    for (GLenum first : {GLenum{GL_MAP1_COLOR_4}, GLenum{GL_MAP2_COLOR_4}}) {
+        const int dimensions = first == GL_MAP1_COLOR_4 ? 1 : 2;
+        for (GLenum map = first; map < first + 9; ++map) {
+            GLint orders[2] = {0, 1};
+            GLfloat domain[4] = {}, points[4 * 64] = {};
+            gl.GetMapiv(map, GL_ORDER, orders);
+            gl.GetMapfv(map, GL_DOMAIN, domain);
+            if (orders[0] * orders[1] <= 64) gl.GetMapfv(map, GL_COEFF, points);
+            std::string line = numbered("map ", 0, map) + text(orders[0]) + text(orders[1]);
+            for (int i = 0; i < 2 * dimensions; ++i) line += text(static_cast<GLdouble>(domain[i]));
+            for (GLfloat point : points) line += text(static_cast<GLdouble>(point));
+            dump.push_back(line);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> dump_everything(const kit::Gl& gl) {
+    Dump dump = dump_state(gl);
+    dump_lights_and_planes(gl, dump);
+    dump_units(gl, dump);
+    // Images are packed and read without what the state would make of them.
+    gl.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    gl.PushAttrib(GL_PIXEL_MODE_BIT);
+    constexpr GLenum kPack[] = {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST,   GL_PACK_ROW_LENGTH,
+                                GL_PACK_SKIP_ROWS,  GL_PACK_SKIP_PIXELS, GL_PACK_IMAGE_HEIGHT,
+                                GL_PACK_SKIP_IMAGES};
+    for (GLenum mode : kPack) gl.PixelStorei(mode, 0);
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    constexpr GLenum kScales[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE,
+                                  GL_DEPTH_SCALE};
+    constexpr GLenum kBiases[] = {GL_RED_BIAS,   GL_GREEN_BIAS, GL_BLUE_BIAS,
+                                  GL_ALPHA_BIAS, GL_DEPTH_BIAS, GL_MAP_COLOR};
+    for (GLenum scale : kScales) gl.PixelTransferf(scale, 1);
+    for (GLenum bias : kBiases) gl.PixelTransferf(bias, 0);
+    dump_images(gl, dump);
+    dump_pixel_maps(gl, dump);
+    gl.PopAttrib();
+    gl.PopClientAttrib();
+    dump_evaluators(gl, dump);
+    dump.push_back("error after all queries" + text(gl.GetError()));
     return dump;
 }
 

@@ -11,6 +11,9 @@ namespace terrazzo::test {
 
 std::vector<std::string> dump_state(const kit::Gl& gl);
 
+// That of every texture unit, light and plane as well, and what textures, pixel maps and evaluators hold.
+std::vector<std::string> dump_everything(const kit::Gl& gl);
+
 // The lines of `after` that `before`, another dump, does not have.
 std::vector<std::string> changed(const std::vector<std::string>& before,
                                  const std::vector<std::string>& after);

@@ -12,6 +12,7 @@ class Parameter:
     type: str  # C type as text, "const GLfloat *"
     name: str
     length: str  # gl.xml's len attribute, "" when there is none
+    group: str = ""  # gl.xml's name for the enumerants it may be
 
     @property
     def is_pointer(self):
@@ -62,7 +63,8 @@ def own_text(element):
 
 def read_parameter(element):
     name = element.find("name").text
-    return Parameter(text_without_name(element), name + "_" if name in KEYWORDS else name, element.get("len", ""))
+    return Parameter(text_without_name(element), name + "_" if name in KEYWORDS else name, element.get("len", ""),
+                     element.get("group", ""))
 
 
 def read_command(element):
@@ -75,7 +77,7 @@ def read_command(element):
 
 
 class Registry:
-    """All commands of gl.xml by name, and the commands that each desktop GL version and each extension adds."""
+    """All commands of gl.xml by name, what each desktop GL version and each extension adds, and groups of enumerants."""
 
     def __init__(self, path):
         root = ElementTree.parse(path).getroot()
@@ -87,8 +89,18 @@ class Registry:
         for feature in root.findall("feature[@api='gl']"):
             names = [c.get("name") for c in feature.findall("require/command")]
             self.versions[feature.get("number")] = names
+        self.enumerants = {}  # "1.1" or "GL_EXT_abgr" -> names of the enumerants that it brings
+        self.values = {}  # "GL_ALWAYS" -> its value
+        self.groups = {}  # "AlphaFunction" -> names of its enumerants
+        for feature in root.findall("feature[@api='gl']"):
+            self.enumerants[feature.get("number")] = [e.get("name") for e in feature.findall("require/enum")]
+        for enumerant in root.findall("enums/enum"):
+            self.values[enumerant.get("name")] = int(enumerant.get("value"), 0)
+            for group in filter(None, enumerant.get("group", "").split(",")):
+                self.groups.setdefault(group, []).append(enumerant.get("name"))
         self.extensions = {}  # "GL_EXT_abgr" -> names of its commands, of extensions to desktop GL
         for extension in root.findall("extensions/extension"):
             if "gl" in extension.get("supported", "").split("|"):
                 names = [c.get("name") for c in extension.findall("require/command")]
                 self.extensions[extension.get("name")] = names
+                self.enumerants[extension.get("name")] = [e.get("name") for e in extension.findall("require/enum")]
