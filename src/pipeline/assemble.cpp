@@ -134,7 +134,7 @@ void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {
         m_next_slot = m_shaded;
         const bool clipped = is_clipped();
         m_filled.cull_unsnapped = clipped;
-        m_stages.begin_piece(clipped || (mode == PrimitiveMode::kPoints && misses_edge_flag()));
+        m_stages.begin_piece(clipped);
         m_direct = !clipped && !m_stages.takes_triangles();
         assemble(piece);
         m_setup.flush();
@@ -188,12 +188,6 @@ bool PrimitiveAssembler::is_clipped() const {
     int32_t any = 0;
     for (int slot = 0; slot < m_shaded; ++slot) any |= outcodes[slot];
     return any != 0;
-}
-
-bool PrimitiveAssembler::misses_edge_flag() const {
-    for (int slot = 0; slot < m_shaded; ++slot)
-        if (!edge_flag(slot)) return true;
-    return false;
 }
 
 int PrimitiveAssembler::slot(uint32_t position) const {
@@ -288,25 +282,29 @@ void PrimitiveAssembler::point(int v) {
 
 void PrimitiveAssembler::line(int a, int b, bool restarts) {
     make_room();
-    if (m_clipper.clip_line(a, b, m_next_slot)) m_stages.line(a, b, restarts);
+    if (restarts) m_stages.restart_lines();
+    if (m_clipper.clip_line(a, b, m_next_slot)) m_stages.line(a, b);
 }
 
 void PrimitiveAssembler::triangle_with_edges(const int (&v)[3], const bool (&edges)[3], bool starts_polygon) {
+    if (starts_polygon && m_stages.takes_triangles()) m_stages.restart_lines();
     const int32_t* const outcodes = m_vertices.integers(kOutcode);
     const int32_t a = outcodes[v[0]], b = outcodes[v[1]], c = outcodes[v[2]];
-    if ((a | b | c) == 0) return emit_triangle(v, edges, starts_polygon);
+    if ((a | b | c) == 0) return emit_triangle(v, edges);
     if (a & b & c) return;
     make_room();
     const ClippedPolygon polygon = m_clipper.clip(v, edges, m_next_slot);
+    // Where a clipped part's stipple begins is left to us (GL 1.5 §3.4.2): anew, as in the reference.
+    if (polygon.count > 2) m_stages.restart_lines();
     for (int i = 2; i < polygon.count; ++i) {
         const bool last = i + 1 == polygon.count;
         emit_triangle({polygon.vertices[i - 1], polygon.vertices[i], polygon.vertices[0]},
-                      {polygon.edges[i - 1], last && polygon.edges[i], i == 2 && polygon.edges[0]}, i == 2);
+                      {polygon.edges[i - 1], last && polygon.edges[i], i == 2 && polygon.edges[0]});
     }
 }
 
-void PrimitiveAssembler::emit_triangle(const int (&v)[3], const bool (&edges)[3], bool starts_polygon) {
-    if (m_stages.takes_triangles()) return m_stages.triangle(v, edges, starts_polygon);
+void PrimitiveAssembler::emit_triangle(const int (&v)[3], const bool (&edges)[3]) {
+    if (m_stages.takes_triangles()) return m_stages.triangle(v, edges);
     m_setup.triangle(m_filled, v[0], v[1], v[2]);
 }
 

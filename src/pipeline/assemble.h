@@ -38,7 +38,6 @@ class PrimitiveAssembler {
     bool shade_index_range(const Piece& piece);
     void shade_positions(const Piece& piece);
     bool is_clipped() const;
-    bool misses_edge_flag() const;
     void assemble(const Piece& piece);
     void assemble_quads(const Piece& piece);
     void assemble_quad_strip(const Piece& piece);
@@ -59,7 +58,7 @@ class PrimitiveAssembler {
                             starts_polygon);
     }
     void triangle_with_edges(const int (&v)[3], const bool (&edges)[3], bool starts_polygon);
-    void emit_triangle(const int (&v)[3], const bool (&edges)[3], bool starts_polygon);
+    void emit_triangle(const int (&v)[3], const bool (&edges)[3]);
     void make_room();
 
     Frame& m_frame;

@@ -1,13 +1,14 @@
 // Line stipple (GL 1.5 §3.4.2) by cutting: each run of set bits becomes a line of its own, whose ends are
 // interpolated in the window, every attribute alike. The counter takes a step for each pixel of the major
-// axis and stays for the next line of a strip.
+// axis and goes on with the next line of a strip; what restarts it, does so whether it gets here or is
+// clipped.
 #include <cmath>
 
 #include "pipeline/stages.h"
 
 namespace terrazzo::pipeline {
 
-void PrimitiveStages::line(int a, int b, bool restarts) {
+void PrimitiveStages::line(int a, int b) {
     const RasterState& r = m_state.raster;
     if (r.flat && (r.line_stipple || r.line_smooth)) {
         // What follows interpolates: both ends get the last vertex's colour first.
@@ -15,7 +16,6 @@ void PrimitiveStages::line(int a, int b, bool restarts) {
         copy_colors(b, kFlatEnd);
         a = kFlatEnd;
     }
-    if (restarts) restart_lines();
     if (!r.line_stipple) return solid_line(a, b);
     stippled_line(a, b);
 }

@@ -21,18 +21,22 @@ class PrimitiveStages {
     PrimitiveStages(PrimitiveSetup& setup, ShadedVertices& vertices, const DrawState& state, int columns,
                     uint32_t& stipple_counter);
 
-    // A piece of the draw is about to come. Where a vertex of it is clipped or, among points, has no edge
-    // flag the reference sends all of it through its chain.
-    void begin_piece(bool chained) { m_chained = chained && m_state.raster.line_stipple; }
+    // A piece of the draw is about to come. Where a vertex of it is clipped the reference sends all of it
+    // through its chain, which faces polygons in another way.
+    void begin_piece(bool clipped) { m_chained = clipped && m_state.raster.line_stipple; }
     // Whether filled polygons of this piece have to pass as well.
     bool takes_triangles() const { return m_takes_triangles || m_chained; }
 
     void point(int v);
-    // `restarts`: the stipple pattern begins anew with this line.
-    void line(int a, int b, bool restarts);
-    // edges[i] says whether the edge from vertex i to the next is part of the polygon's outline; `restarts`:
-    // it is the polygon's first triangle.
-    void triangle(const int (&v)[3], const bool (&edges)[3], bool restarts);
+    void line(int a, int b);
+    // edges[i] says whether the edge from vertex i to the next is part of the polygon's outline.
+    void triangle(const int (&v)[3], const bool (&edges)[3]);
+    // The stipple begins anew with the line or polygon that comes next, or would have come had it not been
+    // clipped away.
+    void restart_lines() {
+        m_stipple_counter = 0;
+        m_setup.restart_lines();
+    }
 
   private:
     // Vertices that stages make live in slots of their own, in turn: triangles that wait for set-up hold on
@@ -57,10 +61,6 @@ class PrimitiveStages {
     void offset_depth(const int (&v)[3], float determinant);
 
     // line_stipple.cpp
-    void restart_lines() {
-        m_stipple_counter = 0;
-        m_setup.restart_lines();
-    }
     void stippled_line(int a, int b);
     void segment(int a, int b, float t0, float t1);
     void solid_line(int a, int b) { m_state.raster.line_smooth ? m_smooth.line(a, b) : m_setup.line(a, b); }
@@ -72,7 +72,7 @@ class PrimitiveStages {
     uint32_t& m_stipple_counter;
     const bool m_two_sided;
     bool m_takes_triangles;
-    bool m_chained = false;  // points and polygons of the piece restart the line stipple
+    bool m_chained = false;
     SmoothShapes m_smooth;
     TriangleSetup m_filled;  // rules of filled polygons whose facing and offset are done with
     int m_next_copy = 0;

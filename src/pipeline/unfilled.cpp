@@ -96,12 +96,11 @@ void PrimitiveStages::offset_depth(const int (&v)[3], float determinant) {
     const float inverse = 1.0f / determinant;
     const float dzdx = std::fabs((ey * fz - ez * fy) * inverse);
     const float dzdy = std::fabs((ez * fx - ex * fz) * inverse);
-    const float offset =
-        m_state.raster.offset_units + larger(dzdx, dzdy) * m_state.raster.offset_factor;
+    const float offset = m_state.raster.offset_units + larger(dzdx, dzdy) * m_state.raster.offset_factor;
     for (const int slot : v) z[slot] = saturate(z[slot] + offset);
 }
 
-void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], bool restarts) {
+void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3]) {
     const RasterState& r = m_state.raster;
     const Facing side = facing(polygon);
     if (side.back ? r.cull_back : r.cull_front) return;
@@ -117,18 +116,15 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
     if (flattens) copy_colors(v[2], v[0]), copy_colors(v[2], v[1]);
     switch (mode) {
         case FillMode::kFill:
-            m_stipple_counter = 0;
             m_setup.triangle(m_filled, v[0], v[1], v[2]);
             return;
         case FillMode::kLine:
-            if (restarts) restart_lines();
             // From the last corner on: that is the order in which a polygon's stipple runs round it.
-            if (edges[2]) line(v[2], v[0], false);
-            if (edges[0]) line(v[0], v[1], false);
-            if (edges[1]) line(v[1], v[2], false);
+            if (edges[2]) line(v[2], v[0]);
+            if (edges[0]) line(v[0], v[1]);
+            if (edges[1]) line(v[1], v[2]);
             return;
         case FillMode::kPoint:
-            m_stipple_counter = 0;
             for (int i = 0; i < 3; ++i)
                 if (edges[i]) point(v[i]);
             return;
@@ -136,7 +132,6 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], 
 }
 
 void PrimitiveStages::point(int v) {
-    if (m_chained || m_state.raster.point_smooth) m_stipple_counter = 0;
     if (m_state.raster.point_smooth) return m_smooth.point(v);
     m_setup.point(v);
 }

@@ -190,6 +190,27 @@ void set_textures(const Gl& gl, Random& random) {
     enable(gl, GL_FOG, random.chance(3));
 }
 
+// A line of no length: the reference's line stipple does not restart where the first line of a strip is
+// clipped away (doc/reference.md §3.3, defects).
+void restart_stipple(const Gl& gl) {
+    const GLboolean cut = gl.IsEnabled(GL_CLIP_PLANE1);
+    gl.Disable(GL_CLIP_PLANE1);
+    for (const GLenum matrix : {GL_PROJECTION, GL_MODELVIEW}) {
+        gl.MatrixMode(matrix);
+        gl.PushMatrix();
+        gl.LoadIdentity();
+    }
+    gl.Begin(GL_LINES);
+    gl.Vertex2f(0, 0);
+    gl.Vertex2f(0, 0);
+    gl.End();
+    for (const GLenum matrix : {GL_PROJECTION, GL_MODELVIEW}) {
+        gl.MatrixMode(matrix);
+        gl.PopMatrix();
+    }
+    enable(gl, GL_CLIP_PLANE1, cut);
+}
+
 // Display lists do without quads of fewer than four vertices: doc/reference.md §3.3, defects.
 void draw_primitives(const Gl& gl, Random& random, bool strays) {
     constexpr uint32_t kList = 2;
@@ -198,6 +219,7 @@ void draw_primitives(const Gl& gl, Random& random, bool strays) {
         const uint32_t way = random.below(5);
         std::vector<Vertex> vertices = make_vertices(random, random.chance(3));
         if (strays) lead_astray(random, vertices);
+        restart_stipple(gl);
         switch (way) {
             case 0:
                 draw_arrays(gl, mode, vertices, false);
