@@ -194,3 +194,135 @@ SCENE(stencil_mirror, "a reflection bounded by the stencil, with a clip plane at
     gl.Disable(GL_STENCIL_TEST);
     torus();
 }
+
+namespace {
+
+// What the stencil buffer holds, each value in a colour of its own.
+void show_stencil(const Gl& gl, int values) {
+    gl.Disable(GL_STENCIL_TEST_TWO_SIDE_EXT);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Disable(GL_CULL_FACE);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    pixel_projection(gl);
+    gl.MatrixMode(GL_MODELVIEW);
+    gl.LoadIdentity();
+    gl.ColorMask(1, 1, 1, 1);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    for (int value = 1; value < values; ++value) {
+        gl.StencilFunc(GL_EQUAL, value, 255);
+        gl.Color4fv(hue(static_cast<float>(value) / static_cast<float>(values), 0.9F).data());
+        rectangle(gl, 0, 0, kSize, kSize);
+    }
+}
+
+// Sets the back sides' operation by either extension.
+void back_operation(const Gl& gl, bool two_side, GLenum op, GLint reference) {
+    if (!two_side) {
+        gl.StencilOpSeparateATI(GL_BACK, op, op, op);
+        return gl.StencilFuncSeparateATI(GL_ALWAYS, GL_ALWAYS, reference, 255);
+    }
+    gl.Enable(GL_STENCIL_TEST_TWO_SIDE_EXT);
+    gl.ActiveStencilFaceEXT(GL_BACK);
+    gl.StencilOp(op, op, op);
+    gl.StencilFunc(GL_ALWAYS, reference, 255);
+    gl.ActiveStencilFaceEXT(GL_FRONT);
+}
+
+void sides_of_tori(const Gl& gl, bool two_side) {
+    gl.Enable(GL_STENCIL_TEST);
+    gl.ColorMask(0, 0, 0, 0);
+    const GLenum operations[] = {GL_REPLACE, GL_INCR, GL_DECR_WRAP, GL_INVERT, GL_ZERO, GL_INCR_WRAP};
+    for_viewports(gl, 3, 2, [&](int cell) {
+        camera(gl, 45, 5);
+        gl.StencilFunc(GL_ALWAYS, 3, 255);
+        gl.StencilOp(GL_INCR, GL_INCR, GL_INCR);
+        back_operation(gl, two_side, operations[cell], 5);
+        gl.FrontFace(cell % 2 ? GL_CW : GL_CCW);
+        gl.Rotatef(static_cast<float>(cell) * 31, 1, 0.4F, 0);
+        draw_solid(gl, make_torus(1.2F, 0.5F, 24, 12), kPositions);
+    });
+    gl.Viewport(0, 0, kSize, kSize);
+    gl.FrontFace(GL_CCW);
+    show_stencil(gl, 8);
+}
+
+}  // namespace
+
+SCENE(stencil_separate, "front sides count, back sides do something else (ATI_separate_stencil)") {
+    sides_of_tori(gl, false);
+}
+
+SCENE(stencil_two_side, "the same by an active face (EXT_stencil_two_side)") {
+    sides_of_tori(gl, true);
+    GLint face = 0;
+    gl.GetIntegerv(GL_ACTIVE_STENCIL_FACE_EXT, &face);
+    notes.value("active face", face);
+}
+
+SCENE(stencil_sides_of_points_and_lines,
+      "points, lines, smooth lines, bitmaps and pixels are front sides, whichever way round that is") {
+    pixel_projection(gl);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilFunc(GL_ALWAYS, 2, 255);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    back_operation(gl, true, GL_REPLACE, 6);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    const std::vector<std::uint8_t> picture = painted_texels(20, 20);
+    for_cells(2, 2, [&](int cell, float x, float y, float, float) {
+        gl.FrontFace(cell & 1 ? GL_CW : GL_CCW);
+        if (cell & 2) gl.Enable(GL_LINE_SMOOTH);
+        gl.LineWidth(3);
+        gl.PointSize(9);
+        gl.Begin(GL_LINES);
+        for (int i = 0; i < 8; ++i)
+            gl.Vertex2f(x + 10, y + 10 + static_cast<float>(i) * 4),
+                gl.Vertex2f(x + 70, y + 60 - static_cast<float>(i) * 3);
+        gl.End();
+        gl.Begin(GL_POINTS);
+        for (int i = 0; i < 6; ++i) gl.Vertex2f(x + 20 + static_cast<float>(i) * 7, y + 90);
+        gl.End();
+        gl.RasterPos2f(x + 80, y + 80);
+        gl.DrawPixels(20, 20, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+        gl.RasterPos2f(x + 80, y + 20);
+        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        gl.Bitmap(24, 20, 0, 0, 0, 0, picture.data());
+        gl.Disable(GL_LINE_SMOOTH);
+    });
+    gl.Disable(GL_BLEND);
+    gl.ColorMask(0, 0, 0, 0);
+    gl.FrontFace(GL_CCW);
+    show_stencil(gl, 8);
+}
+
+SCENE(stencil_shadow_volume_in_one_pass, "z-fail counting of both sides at once, wrapping round") {
+    camera(gl, 45, 6);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Rotatef(25, 1, 0, 0);
+    gl.PushMatrix();
+    gl.Translatef(0, -1, 0);
+    gl.Rotatef(-90, 1, 0, 0);
+    draw_solid(gl, make_grid(2.4F, 10), kColours);
+    gl.PopMatrix();
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilFunc(GL_ALWAYS, 0, 255);
+    gl.StencilOpSeparateATI(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    gl.StencilOpSeparateATI(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    gl.DepthMask(0);
+    gl.ColorMask(0, 0, 0, 0);
+    gl.PushMatrix();
+    gl.Scalef(0.8F, 2.5F, 0.8F);
+    gl.Rotatef(30, 0.3F, 1, 0);
+    draw_solid(gl, make_box(0.7F), kPositions);
+    gl.PopMatrix();
+    gl.ColorMask(1, 1, 1, 1);
+    gl.StencilFunc(GL_NOTEQUAL, 0, 255);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.LoadIdentity();
+    pixel_projection(gl);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl.Color4f(0, 0, 0.1F, 0.6F);
+    rectangle(gl, 0, 0, kSize, kSize);
+}

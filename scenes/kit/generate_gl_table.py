@@ -9,7 +9,8 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 VERSIONS = ("1.0", "1.1", "1.2", "1.3", "1.4", "1.5")
-EXTENSIONS = ("GL_ARB_clip_control", "GL_ARB_framebuffer_object")
+EXTENSIONS = ("GL_ARB_clip_control", "GL_ARB_framebuffer_object", "GL_ATI_separate_stencil",
+              "GL_EXT_compiled_vertex_array", "GL_EXT_stencil_two_side")
 
 
 def command_names(registry):

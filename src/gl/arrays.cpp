@@ -427,4 +427,22 @@ void interleaved_arrays(Context& ctx, GLenum format, GLsizei stride, const void*
     arrays.vertex = at(f.vertex_size, GL_FLOAT, f.vertex_offset);
 }
 
+// EXT_compiled_vertex_array. Draws read what they use when they are called, locked or not: shading the whole
+// range once would need all state that shading depends on to be watched, and saves only what several draws
+// share.
+void lock_arrays_ext(Context& ctx, GLint first, GLsizei count) {
+    if (first < 0) return record_error(ctx, GL_INVALID_VALUE, "first is negative");
+    if (count <= 0) return record_error(ctx, GL_INVALID_VALUE, "count is not positive");
+    if (ctx.arrays.lock_count != 0)
+        return record_error(ctx, GL_INVALID_OPERATION, "arrays are locked already");
+    ctx.arrays.lock_first = first;
+    ctx.arrays.lock_count = count;
+}
+
+void unlock_arrays_ext(Context& ctx) {
+    if (ctx.arrays.lock_count == 0) return record_error(ctx, GL_INVALID_OPERATION, "no arrays are locked");
+    ctx.arrays.lock_first = 0;
+    ctx.arrays.lock_count = 0;
+}
+
 }  // namespace terrazzo::gl

@@ -45,6 +45,9 @@ struct ArrayState {
         0;  // the unit glTexCoordPointer and glEnableClientState(GL_TEXTURE_COORD_ARRAY) act on
     std::shared_ptr<BufferObject> array_buffer;  // what the next pointer is an offset into
     std::shared_ptr<BufferObject> element_buffer;
+    // EXT_compiled_vertex_array: elements that the client promises not to change; a count of 0 for none.
+    GLint lock_first = 0;
+    GLsizei lock_count = 0;
 };
 
 // Calls visit(attribute, array, normalized) for each array that the pipeline reads, the position last; index

@@ -87,6 +87,7 @@ void for_each_enable(Context& ctx, Visit visit) {
                        &color.dither,
                        &ctx.fragment_ops.depth.test_enabled,
                        &ctx.fragment_ops.stencil.enabled,
+                       &ctx.fragment_ops.stencil.two_side_enabled,
                        &ctx.fragment_ops.scissor.enabled,
                        &ctx.fog.enabled,
                        &ctx.fog.color_sum,

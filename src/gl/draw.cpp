@@ -55,7 +55,7 @@ void clear(Context& ctx, GLbitfield mask) {
     const ClearValues& values = ctx.framebuffer.clear;
     raster::BinClear clear{};
     for (unsigned c = 0; c < 4; ++c) clear.color_mask |= static_cast<std::uint8_t>(color.write_mask[c] << c);
-    clear.stencil_mask = static_cast<std::uint8_t>(ctx.fragment_ops.stencil.write_mask);
+    clear.stencil_mask = static_cast<std::uint8_t>(ctx.fragment_ops.stencil.front.write_mask);
     clear.planes.color = (mask & GL_COLOR_BUFFER_BIT) && draws_colors(ctx) && clear.color_mask != 0;
     clear.planes.depth =
         (mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits != 0 && ctx.fragment_ops.depth.write_mask;

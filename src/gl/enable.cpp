@@ -53,6 +53,8 @@ Capability find_capability(Context& ctx, GLenum cap) {
             return {&fragment.depth.test_enabled, Dirty::kFragment};
         case GL_STENCIL_TEST:
             return {&fragment.stencil.enabled, Dirty::kFragment};
+        case GL_STENCIL_TEST_TWO_SIDE_EXT:
+            return {&fragment.stencil.two_side_enabled, Dirty::kFragment};
         case GL_SCISSOR_TEST:
             return {&fragment.scissor.enabled, Dirty::kFragment};
         case GL_FOG:

@@ -63,6 +63,28 @@ bool is_blend_equation(GLenum mode) {
     return false;
 }
 
+// Assigns to `member` of the faces that a command without a face sets.
+template <typename Value>
+void set_active(Context& ctx, Value StencilFace::*member, Value value) {
+    StencilState& stencil = ctx.fragment_ops.stencil;
+    if (stencil.active_face == GL_BACK)
+        return change(ctx, Dirty::kFragment, stencil.two_side_back.*member, value);
+    change(ctx, Dirty::kFragment, stencil.front.*member, value);
+    change(ctx, Dirty::kFragment, stencil.back.*member, value);
+}
+
+// The same of those that `face` names.
+template <typename Value>
+void set_face(Context& ctx, GLenum face, Value StencilFace::*member, Value value) {
+    StencilState& stencil = ctx.fragment_ops.stencil;
+    if (face != GL_BACK) change(ctx, Dirty::kFragment, stencil.front.*member, value);
+    if (face != GL_FRONT) change(ctx, Dirty::kFragment, stencil.back.*member, value);
+}
+
+bool is_face(GLenum face) {
+    return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
+}
+
 }  // namespace
 
 void scissor(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
@@ -81,24 +103,57 @@ void alpha_func(Context& ctx, GLenum func, GLfloat ref) {
 
 void stencil_func(Context& ctx, GLenum func, GLint ref, GLuint mask) {
     if (!is_comparison(func)) return record_error(ctx, GL_INVALID_ENUM, "no such comparison");
-    StencilState& stencil = ctx.fragment_ops.stencil;
-    change(ctx, Dirty::kFragment, stencil.func, func);
-    change(ctx, Dirty::kFragment, stencil.reference, ref);
-    change(ctx, Dirty::kFragment, stencil.value_mask, mask);
+    set_active(ctx, &StencilFace::func, func);
+    set_active(ctx, &StencilFace::reference, ref);
+    set_active(ctx, &StencilFace::value_mask, mask);
 }
 
 void stencil_op(Context& ctx, GLenum fail, GLenum zfail, GLenum zpass) {
     if (!is_stencil_operation(fail) || !is_stencil_operation(zfail) || !is_stencil_operation(zpass)) {
         return record_error(ctx, GL_INVALID_ENUM, "no such stencil operation");
     }
-    StencilState& stencil = ctx.fragment_ops.stencil;
-    change(ctx, Dirty::kFragment, stencil.fail, fail);
-    change(ctx, Dirty::kFragment, stencil.depth_fail, zfail);
-    change(ctx, Dirty::kFragment, stencil.depth_pass, zpass);
+    set_active(ctx, &StencilFace::fail, fail);
+    set_active(ctx, &StencilFace::depth_fail, zfail);
+    set_active(ctx, &StencilFace::depth_pass, zpass);
 }
 
 void stencil_mask(Context& ctx, GLuint mask) {
-    change(ctx, Dirty::kFragment, ctx.fragment_ops.stencil.write_mask, mask);
+    set_active(ctx, &StencilFace::write_mask, mask);
+}
+
+void active_stencil_face_ext(Context& ctx, GLenum face) {
+    if (face != GL_FRONT && face != GL_BACK)
+        return record_error(ctx, GL_INVALID_ENUM, "face is neither GL_FRONT nor GL_BACK");
+    ctx.fragment_ops.stencil.active_face = face;
+}
+
+void stencil_func_separate(Context& ctx, GLenum face, GLenum func, GLint ref, GLuint mask) {
+    if (!is_face(face)) return record_error(ctx, GL_INVALID_ENUM, "no such face");
+    if (!is_comparison(func)) return record_error(ctx, GL_INVALID_ENUM, "no such comparison");
+    set_face(ctx, face, &StencilFace::func, func);
+    set_face(ctx, face, &StencilFace::reference, ref);
+    set_face(ctx, face, &StencilFace::value_mask, mask);
+}
+
+void stencil_func_separate_ati(Context& ctx, GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask) {
+    if (!is_comparison(frontfunc) || !is_comparison(backfunc))
+        return record_error(ctx, GL_INVALID_ENUM, "no such comparison");
+    stencil_func_separate(ctx, GL_FRONT, frontfunc, ref, mask);
+    stencil_func_separate(ctx, GL_BACK, backfunc, ref, mask);
+}
+
+void stencil_op_separate(Context& ctx, GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass) {
+    if (!is_face(face)) return record_error(ctx, GL_INVALID_ENUM, "no such face");
+    if (!is_stencil_operation(sfail) || !is_stencil_operation(dpfail) || !is_stencil_operation(dppass))
+        return record_error(ctx, GL_INVALID_ENUM, "no such stencil operation");
+    set_face(ctx, face, &StencilFace::fail, sfail);
+    set_face(ctx, face, &StencilFace::depth_fail, dpfail);
+    set_face(ctx, face, &StencilFace::depth_pass, dppass);
+}
+
+void stencil_mask_separate(Context& ctx, GLenum face, GLuint mask) {
+    if (!is_face(face)) return record_error(ctx, GL_INVALID_ENUM, "no such face");
+    set_face(ctx, face, &StencilFace::write_mask, mask);
 }
 
 void depth_func(Context& ctx, GLenum func) {

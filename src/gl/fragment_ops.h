@@ -21,8 +21,7 @@ struct AlphaTestState {
     GLfloat reference = 0;  // as specified; clamped to 0..1 where it is used
 };
 
-struct StencilState {
-    bool enabled = false;
+struct StencilFace {
     GLenum func = GL_ALWAYS;
     GLint reference = 0;       // as specified; clamped to the buffer's range where it is used
     GLuint value_mask = 0xff;  // all bits of the deepest stencil buffer there is
@@ -30,6 +29,22 @@ struct StencilState {
     GLenum fail = GL_KEEP;
     GLenum depth_fail = GL_KEEP;
     GLenum depth_pass = GL_KEEP;
+};
+
+// Two extensions give back sides a test of their own. With ATI_separate_stencil (and GL 2.0) it always is in
+// use, and commands that name no face set both. With EXT_stencil_two_side it is in use while its capability
+// is enabled, and commands that name no face set the active one. As in the reference the two have back sides
+// of their own, so that programs of either kind see what they expect; ATI's front and EXT's are one.
+struct StencilState {
+    bool enabled = false;
+    bool two_side_enabled = false;
+    GLenum active_face = GL_FRONT;
+    StencilFace front, back, two_side_back;
+
+    // The back sides' test, as it is in use.
+    const StencilFace& back_in_use() const { return two_side_enabled ? two_side_back : back; }
+    // What queries without a face answer.
+    const StencilFace& active() const { return active_face == GL_BACK ? two_side_back : front; }
 };
 
 struct DepthState {

@@ -33,8 +33,16 @@ MatrixStack& texture_stack(Context& c) {
     return c.matrix.texture[c.texture.active_unit];
 }
 
-GLint stencil_reference(const Context& c) {
-    return std::clamp(c.fragment_ops.stencil.reference, 0, (1 << c.config.stencil_bits) - 1);
+const StencilFace& stencil(const Context& c) {
+    return c.fragment_ops.stencil.active();
+}
+
+const StencilFace& back_stencil(const Context& c) {
+    return c.fragment_ops.stencil.back;
+}
+
+GLint stencil_reference(const Context& c, const StencilFace& face) {
+    return std::clamp(face.reference, 0, (1 << c.config.stencil_bits) - 1);
 }
 
 GLuint texture_name(const Context& c, TextureTarget target) {
@@ -131,12 +139,19 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
          [](Context& c, Out& out) {
              normalized(out, std::clamp(c.fragment_ops.color.alpha_test.reference, 0.0f, 1.0f));
          }},
-        {GL_STENCIL_FUNC, [](Context& c, Out& out) { out = c.fragment_ops.stencil.func; }},
-        {GL_STENCIL_VALUE_MASK, [](Context& c, Out& out) { out = c.fragment_ops.stencil.value_mask; }},
-        {GL_STENCIL_REF, [](Context& c, Out& out) { out = stencil_reference(c); }},
-        {GL_STENCIL_FAIL, [](Context& c, Out& out) { out = c.fragment_ops.stencil.fail; }},
-        {GL_STENCIL_PASS_DEPTH_FAIL, [](Context& c, Out& out) { out = c.fragment_ops.stencil.depth_fail; }},
-        {GL_STENCIL_PASS_DEPTH_PASS, [](Context& c, Out& out) { out = c.fragment_ops.stencil.depth_pass; }},
+        {GL_STENCIL_FUNC, [](Context& c, Out& out) { out = stencil(c).func; }},
+        {GL_STENCIL_VALUE_MASK, [](Context& c, Out& out) { out = stencil(c).value_mask; }},
+        {GL_STENCIL_REF, [](Context& c, Out& out) { out = stencil_reference(c, stencil(c)); }},
+        {GL_STENCIL_FAIL, [](Context& c, Out& out) { out = stencil(c).fail; }},
+        {GL_STENCIL_PASS_DEPTH_FAIL, [](Context& c, Out& out) { out = stencil(c).depth_fail; }},
+        {GL_STENCIL_PASS_DEPTH_PASS, [](Context& c, Out& out) { out = stencil(c).depth_pass; }},
+        {GL_STENCIL_BACK_FUNC, [](Context& c, Out& out) { out = back_stencil(c).func; }},
+        {GL_STENCIL_BACK_VALUE_MASK, [](Context& c, Out& out) { out = back_stencil(c).value_mask; }},
+        {GL_STENCIL_BACK_REF, [](Context& c, Out& out) { out = stencil_reference(c, back_stencil(c)); }},
+        {GL_STENCIL_BACK_FAIL, [](Context& c, Out& out) { out = back_stencil(c).fail; }},
+        {GL_STENCIL_BACK_PASS_DEPTH_FAIL, [](Context& c, Out& out) { out = back_stencil(c).depth_fail; }},
+        {GL_STENCIL_BACK_PASS_DEPTH_PASS, [](Context& c, Out& out) { out = back_stencil(c).depth_pass; }},
+        {GL_ACTIVE_STENCIL_FACE_EXT, [](Context& c, Out& out) { out = c.fragment_ops.stencil.active_face; }},
         {GL_DEPTH_FUNC, [](Context& c, Out& out) { out = c.fragment_ops.depth.func; }},
         {GL_BLEND_SRC, [](Context& c, Out& out) { out = c.fragment_ops.color.blend.source_rgb; }},
         {GL_BLEND_DST, [](Context& c, Out& out) { out = c.fragment_ops.color.blend.destination_rgb; }},
@@ -155,7 +170,8 @@ constexpr auto kDrawingVariables = sorted_by_name(std::to_array<StateVariable>({
         {GL_INDEX_WRITEMASK, [](Context& c, Out& out) { out = static_cast<GLint>(c.fragment_ops.color.index_write_mask); }},
         {GL_COLOR_WRITEMASK, [](Context& c, Out& out) { out = c.fragment_ops.color.write_mask; }},
         {GL_DEPTH_WRITEMASK, [](Context& c, Out& out) { out = c.fragment_ops.depth.write_mask; }},
-        {GL_STENCIL_WRITEMASK, [](Context& c, Out& out) { out = c.fragment_ops.stencil.write_mask; }},
+        {GL_STENCIL_WRITEMASK, [](Context& c, Out& out) { out = stencil(c).write_mask; }},
+        {GL_STENCIL_BACK_WRITEMASK, [](Context& c, Out& out) { out = back_stencil(c).write_mask; }},
         {GL_COLOR_CLEAR_VALUE, [](Context& c, Out& out) { clamped(out, c.framebuffer.clear.color); }},
         {GL_INDEX_CLEAR_VALUE, [](Context& c, Out& out) { out = c.framebuffer.clear.index; }},
         {GL_DEPTH_CLEAR_VALUE, [](Context& c, Out& out) { normalized(out, c.framebuffer.clear.depth); }},

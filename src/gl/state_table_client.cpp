@@ -63,6 +63,8 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_FOG_COORDINATE_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.fog_coordinate.stride; }},
     {GL_CLIENT_ACTIVE_TEXTURE, [](Context& c, Out& out) { out = GL_TEXTURE0 + c.arrays.active_texture; }},
     {GL_EDGE_FLAG_ARRAY_STRIDE, [](Context& c, Out& out) { out = c.arrays.edge_flag.stride; }},
+    {GL_ARRAY_ELEMENT_LOCK_FIRST_EXT, [](Context& c, Out& out) { out = c.arrays.lock_first; }},
+    {GL_ARRAY_ELEMENT_LOCK_COUNT_EXT, [](Context& c, Out& out) { out = c.arrays.lock_count; }},
 
     // Buffer objects
     {GL_PIXEL_PACK_BUFFER_BINDING, [](Context& c, Out& out) { out = name_of(c.pixels.pack.buffer); }},

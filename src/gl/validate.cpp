@@ -315,6 +315,16 @@ raster::BlendKind blend_kind(const BlendState& b, bool eight_bits) {
     return raster::BlendKind::kGeneral;
 }
 
+raster::StencilFace make_stencil_face(const StencilFace& face) {
+    return {translate_compare(face.func),
+            static_cast<std::uint8_t>(std::clamp(face.reference, 0, 255)),
+            static_cast<std::uint8_t>(face.value_mask),
+            static_cast<std::uint8_t>(face.write_mask),
+            translate_stencil_op(face.fail),
+            translate_stencil_op(face.depth_fail),
+            translate_stencil_op(face.depth_pass)};
+}
+
 void make_tests(const Context& ctx, raster::FragmentState& out) {
     const FragmentOpsState& ops = ctx.fragment_ops;
     const raster::TargetFormat& target = ctx.surface.format;
@@ -324,15 +334,8 @@ void make_tests(const Context& ctx, raster::FragmentState& out) {
     key.depth_func = translate_compare(ops.depth.func);
     out.depth_bits = static_cast<std::uint8_t>(target.depth_bits);
     key.stencil_test = ops.stencil.enabled && target.stencil_bits != 0;
-    const StencilState& s = ops.stencil;
-    out.stencil[0] = {translate_compare(s.func),
-                      static_cast<std::uint8_t>(std::clamp(s.reference, 0, 255)),
-                      static_cast<std::uint8_t>(s.value_mask),
-                      static_cast<std::uint8_t>(s.write_mask),
-                      translate_stencil_op(s.fail),
-                      translate_stencil_op(s.depth_fail),
-                      translate_stencil_op(s.depth_pass)};
-    out.stencil[1] = out.stencil[0];
+    out.stencil[0] = make_stencil_face(ops.stencil.front);
+    out.stencil[1] = make_stencil_face(ops.stencil.back_in_use());
     const AlphaTestState& alpha = ops.color.alpha_test;
     key.alpha_func = alpha.enabled ? translate_compare(alpha.func) : raster::Compare::kAlways;
     out.alpha_reference = alpha.reference;

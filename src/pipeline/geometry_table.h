@@ -11,6 +11,10 @@
 
 namespace terrazzo::pipeline {
 
+// Which side of a polygon the fragments of a triangle belong to: its own, or that of the line or point whose
+// shape it is.
+enum class Side : uint8_t { kOwn, kFront, kBack };
+
 // How triangles become primitives.
 struct TriangleSetup {
     const raster::FragmentState* state = nullptr;
@@ -22,6 +26,7 @@ struct TriangleSetup {
     bool multisample = false;  // edges are stepped to samples, and planes begin at pixels' corners
     bool flat = false;
     bool two_sided = false;
+    Side side = Side::kOwn;
     bool offset = false;
     float offset_factor = 0, offset_units = 0;
 };

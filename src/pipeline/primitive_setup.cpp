@@ -68,7 +68,7 @@ Primitive* PrimitiveSetup::new_primitive(const raster::FragmentState& state, con
     p->y1 = static_cast<int16_t>(y1);
     p->edge_count = static_cast<uint8_t>(edge_count);
     p->plane_count = static_cast<uint8_t>(plane_count);
-    p->back_facing = false;
+    p->back_facing = m_back_facing;
     p->steep = false;
     p->depth_offset = 0;
     p->data = raster::RectangleData::kNone;

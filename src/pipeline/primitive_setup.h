@@ -38,6 +38,11 @@ class PrimitiveSetup {
     // A parallelogram along the major axis (line.cpp).
     void line(int a, int b);
 
+    // The points and lines that follow are those of a polygon's back side, or not: to the stencil test they
+    // are still polygons (GL 2.0 §4.1.4).
+    void set_back_facing(bool back) { m_back_facing = back; }
+    bool back_facing() const { return m_back_facing; }
+
     bool is_observed() const { return m_observer != nullptr; }
     // The next line is one where a line stipple would begin anew.
     void restart_lines() { m_restarts = true; }
@@ -82,6 +87,7 @@ class PrimitiveSetup {
     TriangleBatch m_batch;
     PrimitiveObserver* const m_observer;
     bool m_restarts = false;
+    bool m_back_facing = false;
 };
 
 }  // namespace terrazzo::pipeline

@@ -218,7 +218,9 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
     const F32x16 least_oow = min(min(oow.v0, oow.v1), oow.v2);
     const uint32_t steep_bits = bits_of(bound.largest > least_oow * F32x16(kVisibleTerms));
 
-    const uint32_t back_bits = bits_of(back);
+    const uint32_t back_bits = setup.side == Side::kOwn    ? bits_of(back)
+                               : setup.side == Side::kBack ? 0xffff
+                                                           : 0;
     while (alive != 0) {
         const int lane = std::countr_zero(alive);
         alive &= alive - 1;

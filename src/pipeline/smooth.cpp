@@ -11,11 +11,12 @@ namespace terrazzo::pipeline {
 
 namespace {
 
-TriangleSetup smooth_setup(const DrawState& state, const raster::FragmentState& fragment) {
+TriangleSetup smooth_setup(const DrawState& state, const raster::FragmentState& fragment, Side side) {
     TriangleSetup setup = triangle_setup(state);
     setup.state = &fragment;
     setup.cull_front = setup.cull_back = false;
     setup.two_sided = false;
+    setup.side = side;
     setup.offset = false;
     return setup;
 }
@@ -28,8 +29,10 @@ SmoothShapes::SmoothShapes(PrimitiveSetup& setup, ShadedVertices& vertices, cons
       m_vertices(vertices),
       m_state(state),
       m_columns(columns),
-      m_line(smooth_setup(state, state.fragment->line)),
-      m_point(smooth_setup(state, state.fragment->point)) {}
+      m_line{smooth_setup(state, state.fragment->line, Side::kFront),
+             smooth_setup(state, state.fragment->line, Side::kBack)},
+      m_point{smooth_setup(state, state.fragment->point, Side::kFront),
+              smooth_setup(state, state.fragment->point, Side::kBack)} {}
 
 int SmoothShapes::corner(int slot, int from, float dx, float dy, const float (&coverage)[4]) {
     for (int column = 0; column < m_columns; ++column) {
@@ -78,8 +81,9 @@ void SmoothShapes::line(int a, int b) {
         corner(slot + 3, b, 0.5f * c + half_width * s, 0.5f * s - half_width * c,
                {half_width, half_width, half_length, half_length}),
     };
-    m_setup.triangle(m_line, v[2], v[1], v[0]);
-    m_setup.triangle(m_line, v[3], v[1], v[2]);
+    const TriangleSetup& rules = m_line[m_setup.back_facing()];
+    m_setup.triangle(rules, v[2], v[1], v[0]);
+    m_setup.triangle(rules, v[3], v[1], v[2]);
 }
 
 void SmoothShapes::point(int v) {
@@ -96,8 +100,9 @@ void SmoothShapes::point(int v) {
         corner(slot + 2, v, radius, radius, {1, 1, rim, 1}),
         corner(slot + 3, v, -radius, radius, {-1, 1, rim, 1}),
     };
-    m_setup.triangle(m_point, corners[0], corners[1], corners[2]);
-    m_setup.triangle(m_point, corners[0], corners[2], corners[3]);
+    const TriangleSetup& rules = m_point[m_setup.back_facing()];
+    m_setup.triangle(rules, corners[0], corners[1], corners[2]);
+    m_setup.triangle(rules, corners[0], corners[2], corners[3]);
 }
 
 }  // namespace terrazzo::pipeline

@@ -26,7 +26,8 @@ class SmoothShapes {
     ShadedVertices& m_vertices;
     const DrawState& m_state;
     const int m_columns;
-    const TriangleSetup m_line, m_point;
+    // Front and back sides: of lines and points that are a polygon's.
+    const TriangleSetup m_line[2], m_point[2];
     int m_next_slot = 0;
 };
 

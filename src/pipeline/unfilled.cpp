@@ -114,6 +114,7 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3]) 
     if (m_two_sided && side.back && side.determinant != 0) take_back_colors(v);
     if (offsets) offset_depth(v, side.determinant);
     if (flattens) copy_colors(v[2], v[0]), copy_colors(v[2], v[1]);
+    m_setup.set_back_facing(side.back);
     switch (mode) {
         case FillMode::kFill:
             m_setup.triangle(m_filled, v[0], v[1], v[2]);

@@ -158,6 +158,12 @@ const std::vector<ValidCall>& valid_calls() {
         {"glShadeModel", {GL_FLAT}},
         {"glStencilFunc", {GL_LESS, 1, 1}},
         {"glStencilOp", {GL_INCR, GL_DECR, GL_ZERO}},
+        {"glStencilFuncSeparate", {GL_BACK, GL_LESS, 1, 1}},
+        {"glStencilFuncSeparateATI", {GL_LESS, GL_GREATER, 1, 1}},
+        {"glStencilOpSeparate(ATI)?", {GL_BACK, GL_INCR, GL_DECR, GL_ZERO}},
+        {"glStencilMaskSeparate", {GL_BACK, 15}},
+        {"glActiveStencilFaceEXT", {GL_BACK}},
+        {"glLockArraysEXT", {0, 4}},
         {"glTexEnv[fi]", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, 8448.0}},  // GL_MODULATE
         {"glTexEnv[fi]v", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, in}},
         {"glTexGen[dfi]", {GL_S, GL_TEXTURE_GEN_MODE, 9217.0}},  // GL_OBJECT_LINEAR

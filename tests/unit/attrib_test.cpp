@@ -44,6 +44,7 @@ void change_enables(const kit::Gl& gl) {
                               GL_POLYGON_OFFSET_POINT,
                               GL_POLYGON_SMOOTH,
                               GL_POLYGON_STIPPLE,
+                              GL_STENCIL_TEST_TWO_SIDE_EXT,
                               GL_RESCALE_NORMAL,
                               GL_SCISSOR_TEST,
                               GL_STENCIL_TEST,
@@ -201,6 +202,11 @@ const Group kGroups[] = {
          gl.StencilFunc(GL_LESS, 3, 0x0f);
          gl.StencilOp(GL_INCR, GL_DECR, GL_INVERT);
          gl.StencilMask(0x77);
+         gl.StencilFuncSeparateATI(GL_GREATER, GL_NOTEQUAL, 4, 0x1f);
+         gl.StencilOpSeparateATI(GL_BACK, GL_ZERO, GL_REPLACE, GL_DECR);
+         gl.ActiveStencilFaceEXT(GL_BACK);
+         gl.StencilMask(0x55);
+         gl.Enable(GL_STENCIL_TEST_TWO_SIDE_EXT);
          gl.ClearStencil(5);
      }},
     {GL_TEXTURE_BIT, "texture", change_texture},

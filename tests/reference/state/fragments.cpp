@@ -65,6 +65,22 @@ const Command kCommands[] = {
          p.gl().StencilOp(fail, depth_fail, p.enumerant(kStencilOperations));
      }},
     {"glStencilMask", [](Player& p) { p.gl().StencilMask(p.bits()); }},
+    {"glStencilFuncSeparateATI",
+     [](Player& p) {
+         const GLenum front = p.enumerant(kComparisons), back = p.enumerant(kComparisons);
+         const GLint reference = p.integer();
+         p.gl().StencilFuncSeparateATI(front, back, reference, p.bits());
+     }},
+    {"glStencilOpSeparateATI",
+     [](Player& p) {
+         const GLenum face = p.enumerant(kFaces);
+         const GLenum fail = p.enumerant(kStencilOperations), depth_fail = p.enumerant(kStencilOperations);
+         p.gl().StencilOpSeparateATI(face, fail, depth_fail, p.enumerant(kStencilOperations));
+     }},
+    {"glActiveStencilFaceEXT",
+     [](Player& p) {
+         p.gl().ActiveStencilFaceEXT(p.enumerant({TERRAZZO_E(GL_FRONT), TERRAZZO_E(GL_BACK)}));
+     }},
     {"glDepthFunc", [](Player& p) { p.gl().DepthFunc(p.enumerant(kComparisons)); }},
     {"glDepthMask", [](Player& p) { p.gl().DepthMask(p.flag()); }},
     {"glBlendFunc",

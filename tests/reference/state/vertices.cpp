@@ -174,6 +174,14 @@ const Command kCommands[] = {
     {"glInterleavedArrays", play_interleaved_arrays},
     {"glEnableClientState", [](Player& p) { p.gl().EnableClientState(p.enumerant(kArrays)); }},
     {"glDisableClientState", [](Player& p) { p.gl().DisableClientState(p.enumerant(kArrays)); }},
+    {"glLockArraysEXT",
+     [](Player& p) {
+         const GLint first = static_cast<GLint>(p.pick(6)) - 1;
+         const GLsizei count = static_cast<GLsizei>(p.pick(6)) - 1;
+         p.note(std::to_string(first) + ' ' + std::to_string(count));
+         p.gl().LockArraysEXT(first, count);
+     }},
+    {"glUnlockArraysEXT", [](Player& p) { p.gl().UnlockArraysEXT(); }},
 };
 
 }  // namespace
