@@ -89,6 +89,26 @@ const TexelFormat* choose_rgba(GLenum client_format, GLenum client_type, bool sw
 
 }  // namespace
 
+std::array<GLfloat, 4> as_texel(BaseFormat base, const std::array<GLfloat, 4>& rgba) {
+    const auto [r, g, b, a] = rgba;
+    switch (base) {
+        case BaseFormat::kAlpha:
+            return {0, 0, 0, a};
+        case BaseFormat::kLuminance:
+            return {r, r, r, 1};
+        case BaseFormat::kLuminanceAlpha:
+            return {r, r, r, a};
+        case BaseFormat::kIntensity:
+            return {r, r, r, r};
+        case BaseFormat::kRgb:
+            return {r, g, b, 1};
+        case BaseFormat::kRgba:
+        case BaseFormat::kDepth:
+            break;
+    }
+    return rgba;
+}
+
 const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type,
                                        bool swap_bytes) {
     // Unsized single-channel formats keep 16 bits when the client's pixels are of the same kind.

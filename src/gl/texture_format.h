@@ -30,6 +30,10 @@ struct TexelFormat {
 const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_format, GLenum client_type,
                                        bool swap_bytes);
 
+// An RGBA colour as a texture of a base format would hold it and sampling sees it (GL 1.5 §3.8.8,
+// table 3.15); the depth of a depth texture is R.
+std::array<GLfloat, 4> as_texel(pipeline::BaseFormat base, const std::array<GLfloat, 4>& rgba);
+
 // Whether textures of an internal format have stencil values beside their depths (EXT_packed_depth_stencil).
 constexpr bool has_stencil(GLint internal_format) {
     return internal_format == GL_DEPTH_STENCIL || internal_format == GL_DEPTH24_STENCIL8;

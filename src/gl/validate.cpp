@@ -218,7 +218,6 @@ raster::Sampler make_sampler(const TextureUnit& unit_state, const TextureObject&
     sampler.lod_bias = quantized_bias(p.lod_bias) + quantized_bias(unit_state.env.lod_bias);
     sampler.min_lod = p.min_lod;
     sampler.max_lod = p.max_lod;
-    std::copy(p.border_color.begin(), p.border_color.end(), sampler.border_color);
     sampler.level_count = static_cast<std::uint8_t>(levels.last - levels.base + 1);
     for (int level = levels.base; level <= levels.last; ++level) {
         const auto& image = object.face(face)[static_cast<std::size_t>(level)].image;
@@ -228,6 +227,7 @@ raster::Sampler make_sampler(const TextureUnit& unit_state, const TextureObject&
     }
     const TextureLevel& base = object.face(face)[static_cast<std::size_t>(levels.base)];
     sampler.storage = base.image->storage;
+    std::ranges::copy(as_texel(base.image->base_format, p.border_color), sampler.border_color);
     if (sampler.storage == raster::TexelStorage::kDepth) {
         sampler.depth_mode = translate_depth_mode(p.depth_mode);
         sampler.depth_bits = base.format->bits[0];
