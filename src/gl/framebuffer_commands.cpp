@@ -1,5 +1,6 @@
 // Commands of frame buffer objects: names, binding, attachments, queries (ARB_framebuffer_object).
 #include <algorithm>
+#include <utility>
 
 #include "gl/context.h"
 #include "gl/draw.h"
@@ -115,6 +116,8 @@ void framebuffer_texture(Context& ctx, GLenum target, GLenum attachment, GLenum 
         attach(ctx, target, attachment, attached);
 }
 
+}  // namespace
+
 GLint size_in_bits(const Attachment& a, GLenum pname) {
     if (a.renderbuffer) {
         const GLenum to_renderbuffer[] = {GL_RENDERBUFFER_RED_SIZE,   GL_RENDERBUFFER_GREEN_SIZE,
@@ -123,15 +126,14 @@ GLint size_in_bits(const Attachment& a, GLenum pname) {
         return renderbuffer_bits(*a.renderbuffer,
                                  to_renderbuffer[pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE]);
     }
-    const TexelFormat* const format = a.texture->face(a.face)[static_cast<std::size_t>(a.level)].format;
+    const TextureLevel& level = std::as_const(*a.texture).face(a.face)[static_cast<std::size_t>(a.level)];
+    const TexelFormat* const format = level.format;
     if (!format) return 0;
-    const GLenum channel = pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE;
     const bool is_depth = format->base == GL_DEPTH_COMPONENT;
-    if (channel < 4) return is_depth ? 0 : format->bits[channel];
-    return is_depth && channel == 4 ? format->bits[0] : 0;
+    if (pname == GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE) return is_depth ? format->bits[0] : 0;
+    if (pname == GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) return has_stencil(level.internal_format) ? 8 : 0;
+    return is_depth ? 0 : format->bits[pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE];
 }
-
-}  // namespace
 
 void gen_framebuffers(Context& ctx, GLsizei n, GLuint* framebuffers) {
     if (n < 0) return record_error(ctx, GL_INVALID_VALUE, "n is negative");

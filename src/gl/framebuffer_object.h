@@ -111,6 +111,10 @@ GLint drawn_samples(Context& ctx);
 // Draws what is queued and brings the textures that are attached up to date. Throws std::bad_alloc.
 void settle_framebuffers(Context& ctx);
 
+// How many bits what is attached has of a component, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE and so on; textures
+// are locked, and something is attached.
+GLint size_in_bits(const Attachment& a, GLenum pname);
+
 // A query of GetRenderbufferParameter about bits.
 GLint renderbuffer_bits(const Renderbuffer& renderbuffer, GLenum pname);
 

@@ -9,11 +9,12 @@ namespace {
 
 using Out = StateValues;
 
-struct ColorBits {
-    int red, green, blue, alpha;
+struct BufferBits {
+    int red, green, blue, alpha, depth, stencil;
 };
 
-ColorBits color_bits(const raster::TargetFormat& format) {
+BufferBits bits_of(const raster::TargetFormat& format) {
+    const int depth = format.depth_bits, stencil = format.stencil_bits;
     int bits = 8;
     switch (format.color) {
         case raster::ColorFormat::kRgba8:
@@ -25,9 +26,27 @@ ColorBits color_bits(const raster::TargetFormat& format) {
             bits = 32;
             break;
         case raster::ColorFormat::kRgb565:
-            return {5, 6, 5, 0};
+            return {5, 6, 5, 0, depth, stencil};
     }
-    return {bits, bits, bits, format.has_alpha ? bits : 0};
+    return {bits, bits, bits, format.has_alpha ? bits : 0, depth, stencil};
+}
+
+// Of a frame buffer object what its attachments have, drawn to or not; nothing where it is not complete.
+BufferBits drawn_bits(Context& ctx) {
+    const Framebuffer* const object = ctx.framebuffers.draw.get();
+    if (!object) return bits_of(ctx.surface.format);
+    if (framebuffer_status(ctx, object) != GL_FRAMEBUFFER_COMPLETE) return {};
+    const auto lock = lock_textures(ctx);
+    const auto bits = [&](AttachmentPoint point, GLenum pname) {
+        const Attachment& a = object->attachments[point];
+        return a.is_empty() ? 0 : size_in_bits(a, pname);
+    };
+    return {bits(kColorAttachment, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE),
+            bits(kColorAttachment, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE),
+            bits(kColorAttachment, GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE),
+            bits(kColorAttachment, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE),
+            bits(kDepthAttachment, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE),
+            bits(kStencilAttachment, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE)};
 }
 
 // Frame buffer objects have no accumulation buffer.
@@ -78,12 +97,12 @@ constexpr auto kVariables = sorted_by_name(std::to_array<StateVariable>({
     {GL_STEREO, [](Context&, Out& out) { out = false; }},
     {GL_AUX_BUFFERS, [](Context&, Out& out) { out = 0; }},
     {GL_INDEX_BITS, [](Context&, Out& out) { out = 0; }},
-    {GL_RED_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).red; }},
-    {GL_GREEN_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).green; }},
-    {GL_BLUE_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).blue; }},
-    {GL_ALPHA_BITS, [](Context& c, Out& out) { out = color_bits(c.surface.format).alpha; }},
-    {GL_DEPTH_BITS, [](Context& c, Out& out) { out = c.surface.format.depth_bits; }},
-    {GL_STENCIL_BITS, [](Context& c, Out& out) { out = c.surface.format.stencil_bits; }},
+    {GL_RED_BITS, [](Context& c, Out& out) { out = drawn_bits(c).red; }},
+    {GL_GREEN_BITS, [](Context& c, Out& out) { out = drawn_bits(c).green; }},
+    {GL_BLUE_BITS, [](Context& c, Out& out) { out = drawn_bits(c).blue; }},
+    {GL_ALPHA_BITS, [](Context& c, Out& out) { out = drawn_bits(c).alpha; }},
+    {GL_DEPTH_BITS, [](Context& c, Out& out) { out = drawn_bits(c).depth; }},
+    {GL_STENCIL_BITS, [](Context& c, Out& out) { out = drawn_bits(c).stencil; }},
     {GL_SAMPLE_BUFFERS, [](Context& c, Out& out) { out = drawn_samples(c) > 0; }},
     {GL_SAMPLES, [](Context& c, Out& out) { out = drawn_samples(c); }},
     {GL_ACCUM_RED_BITS, [](Context& c, Out& out) { out = accumulation_bits(c); }},
