@@ -54,7 +54,7 @@ AttachedSize size_of(const Attachment& a, AttachmentPoint point) {
     }
     if (a.level >= kMaxTextureLevels) return {};
     const TextureLevel& level = level_of(a);
-    if (!level.image || level.border != 0 || a.layer >= level.depth) return {};
+    if (!level.image || level.blocks || a.layer >= level.depth) return {};
     const GLenum base = level.format->base;
     const bool fits = point == kColorAttachment   ? base == GL_RGB || base == GL_RGBA
                       : point == kDepthAttachment ? is_depth(*level.format)
@@ -83,56 +83,64 @@ GLenum status_of(const Framebuffer& framebuffer) {
     return agree ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
 }
 
-// Rows of an image and of a target, which both have their bottom row first.
+// Rows of an image and of a target, which both have their bottom row first: calls row(x, y, count, at) where
+// `at` is the texel of pixel (x, y). Borders are attached with their texels (GL 3.0 §4.4.3).
+struct TexelPosition {
+    int x, y, z;
+};
 template <typename Row>
-void for_each_run(const Target& target, Row row) {
+void for_each_run(const Target& target, const Attachment& a, const pipeline::TextureImage& image, Row row) {
     for (int y = 0; y < target.height(); ++y)
         for (int x = 0; x < target.width(); x += kPixelChunk)
-            row(x, y, std::min(kPixelChunk, target.width() - x));
+            row(x, y, std::min(kPixelChunk, target.width() - x),
+                TexelPosition{x - image.border_x, y - image.border_y, a.layer - image.border_z});
 }
 
 void load(const Attachment& a, AttachmentPoint point, Target& planes) {
     const TextureLevel& level = level_of(a);
     const TexelFormat& format = *level.format;
     const pipeline::TextureImage& image = *level.image;
-    for_each_run(planes, [&](int x, int y, int count) {
+    for_each_run(planes, a, image, [&](int x, int y, int count, const TexelPosition& at) {
         if (point == kStencilAttachment) {
             uint8_t stencils[kPixelChunk] = {};
-            if (const uint8_t* const known = image.stencils(x, y)) std::copy_n(known, count, stencils);
+            if (const uint8_t* const known = image.stencils(at.x, at.y)) std::copy_n(known, count, stencils);
             return pipeline::write_stencil(planes, x, y, count, stencils);
         }
         if (point == kDepthAttachment) {
             uint32_t depths[kPixelChunk];
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
             for (int i = 0; i < count; ++i)
-                depths[i] = resize_depth(image.depths(x, y)[i], format.bits[0], bits);
+                depths[i] = resize_depth(image.depths(at.x, at.y)[i], format.bits[0], bits);
             return pipeline::write_depth(planes, x, y, count, depths);
         }
         if (format.storage == pipeline::TexelStorage::kRgba8)
-            return pipeline::write_color_rgba8(planes, x, y, count, image.rgba8(x, y, a.layer));
-        pipeline::write_color(planes, x, y, count, image.rgba32f(x, y, a.layer));
+            return pipeline::write_color_rgba8(planes, x, y, count, image.rgba8(at.x, at.y, at.z));
+        pipeline::write_color(planes, x, y, count, image.rgba32f(at.x, at.y, at.z));
     });
 }
 
 void store(const Attachment& a, AttachmentPoint point, Target& planes, pipeline::TextureImage& image) {
     const TexelFormat& format = *level_of(a).format;
     if (point == kStencilAttachment) image.make_stencils();
-    for_each_run(planes, [&](int x, int y, int count) {
+    for_each_run(planes, a, image, [&](int x, int y, int count, const TexelPosition& at) {
         if (point == kStencilAttachment) {
-            pipeline::read_stencil(planes, x, y, count, image.stencils(x, y));
+            pipeline::read_stencil(planes, x, y, count, image.stencils(at.x, at.y));
         } else if (point == kDepthAttachment) {
-            uint32_t* const depths = image.depths(x, y);
-            pipeline::read_depth(planes, x, y, count, depths);
+            uint32_t drawn[kPixelChunk], *const depths = image.depths(at.x, at.y);
+            pipeline::read_depth(planes, x, y, count, drawn);
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
-            for (int i = 0; i < count; ++i) depths[i] = resize_depth(depths[i], bits, format.bits[0]);
+            // What nothing was drawn to keeps the bits that the planes do not have.
+            for (int i = 0; i < count; ++i)
+                if (resize_depth(depths[i], format.bits[0], bits) != drawn[i])
+                    depths[i] = resize_depth(drawn[i], bits, format.bits[0]);
         } else if (format.storage == pipeline::TexelStorage::kRgba8) {
             uint8_t rgba[4 * kPixelChunk];
             pipeline::read_color_rgba8(planes, x, y, count, rgba);
-            store_texels(format, rgba, Rounding::kAsDrawn, count, image, x, y, a.layer);
+            store_texels(format, rgba, Rounding::kAsDrawn, count, image, at.x, at.y, at.z);
         } else {
             float rgba[4 * kPixelChunk];
             pipeline::read_color_float(planes, x, y, count, rgba);
-            store_texels(format, rgba, Rounding::kOnce, count, image, x, y, a.layer);
+            store_texels(format, rgba, Rounding::kOnce, count, image, at.x, at.y, at.z);
         }
     });
 }
