@@ -42,13 +42,34 @@ void copy_depths(const PixelState& state, const ReadSource& source, const ReadRe
     }
 }
 
+// The same of stencil values, for an image that keeps them.
+void copy_stencils(const PixelState& state, const ReadSource& source, const ReadRect& read, GLint left,
+                   GLint bottom, pipeline::TextureImage& image) {
+    for (int i = 0; i < read.height; ++i) {
+        for (int j = 0; j < read.width; j += kPixelChunk) {
+            const int count = std::min(kPixelChunk, read.width - j);
+            uint8_t* const stencils = image.stencils(left + j, bottom + i);
+            pipeline::read_stencil(source.target(), read.x + j, source.target().row(read.y + i), count,
+                                   stencils);
+            if (!changes_stencils(state)) continue;
+            uint32_t indices[kPixelChunk];
+            std::copy_n(stencils, count, indices);
+            transfer_stencils(state, indices, count);
+            for (int k = 0; k < count; ++k) stencils[k] = static_cast<uint8_t>(indices[k]);
+        }
+    }
+}
+
 // Copies the pixels from window position (x, y) on into `box` of the image, whose depth is 1.
 void copy_pixels(const PixelState& state, const ReadSource& source, GLint x, GLint y, const LevelBox& box,
                  const TexelFormat& format, pipeline::TextureImage& image) {
     const ReadRect read = source.clip(x, y, box.width, box.height);
     const GLint left = box.x + read.skipped_columns, bottom = box.y + read.skipped_rows;
-    if (format.base == GL_DEPTH_COMPONENT)
-        return copy_depths(state, source, read, left, bottom, format, image);
+    if (format.base == GL_DEPTH_COMPONENT) {
+        copy_depths(state, source, read, left, bottom, format, image);
+        if (image.has_stencils()) copy_stencils(state, source, read, left, bottom, image);
+        return;
+    }
     const bool bytes = source.has_bytes(state);
     const bool direct = bytes && stores_groups(format, GL_RGBA, GL_UNSIGNED_BYTE);
     for (int i = 0; i < read.height; ++i) {
@@ -69,10 +90,12 @@ void copy_pixels(const PixelState& state, const ReadSource& source, GLint x, GLi
     }
 }
 
-Rule check_source(const Context& ctx, const TexelFormat& format) {
+Rule check_source(const Context& ctx, const TexelFormat& format, GLint internal_format) {
     if (!has_read_source(ctx)) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
     if (format.base == GL_DEPTH_COMPONENT && ctx.surface.read->target()->format().depth_bits == 0)
         return {GL_INVALID_OPERATION, "there is no depth buffer"};
+    if (has_stencil(internal_format) && ctx.surface.read->target()->format().stencil_bits == 0)
+        return {GL_INVALID_OPERATION, "there is no stencil buffer"};
     if (format.base != GL_DEPTH_COMPONENT && !ctx.surface.read->target()->has_color())
         return {GL_INVALID_OPERATION, "there is no colour buffer"};
     return {};
@@ -96,13 +119,14 @@ void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, G
         return record_error(ctx, GL_INVALID_VALUE, "the size is not supported");
     if (!is_supported_memory(spec, *format)) throw std::bad_alloc();
     if (!check_readable_framebuffer(ctx)) return;
-    if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)
+    if (const Rule rule = check_source(ctx, *format, spec.internal_format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
     if (format->base == GL_DEPTH_COMPONENT && target.is_cube())
         return record_error(ctx, GL_INVALID_OPERATION, "there are no depth textures of this target");
     TextureLevel level = make_level(spec, *format);
     const ReadSource source(ctx);
     if (level.image) {
+        if (has_stencil(spec.internal_format)) level.image->make_stencils();
         const LevelBox all{-spec.border, -spec.border_y(), 0, spec.width, spec.height, 1};
         copy_pixels(ctx.pixels, source, x, y, all, *format, *level.image);
     }
@@ -121,22 +145,27 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     if (box.width < 0 || box.height < 0) return record_error(ctx, GL_INVALID_VALUE, "the size is negative");
     begin_change(ctx, Dirty::kTexture);
     const TexelFormat* format = nullptr;
+    GLint internal_format = 0;
     {
         const auto lock = lock_textures(ctx);
         format = target.level(level_number).format;
+        internal_format = target.level(level_number).internal_format;
     }
     if (!format) return record_error(ctx, GL_INVALID_OPERATION, "the level has no image");
     if (!check_readable_framebuffer(ctx)) return;
-    if (const Rule rule = check_source(ctx, *format); rule.code != GL_NO_ERROR)
+    if (const Rule rule = check_source(ctx, *format, internal_format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
     settle_framebuffers(ctx);
     const ReadSource source(ctx);
     const auto lock = lock_textures(ctx);
     TextureLevel& level = target.level(level_number);
-    if (level.format != format) return record_error(ctx, GL_INVALID_OPERATION, "the level has changed");
+    if (level.format != format || level.internal_format != internal_format)
+        return record_error(ctx, GL_INVALID_OPERATION, "the level has changed");
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
     if (!level.image || box.is_empty()) return;
-    copy_pixels(ctx.pixels, source, x, y, box, *level.format, writable_image(ctx, level));
+    pipeline::TextureImage& image = writable_image(ctx, level);
+    if (has_stencil(internal_format)) image.make_stencils();
+    copy_pixels(ctx.pixels, source, x, y, box, *level.format, image);
     update_mipmap(target, level_number);
 }
 

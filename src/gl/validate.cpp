@@ -547,8 +547,8 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
     count_samples(ctx, *block);
     const PolygonState& polygon = ctx.rasterization.polygon;
     // Lines and points of polygons carry theirs in their vertices.
-    key.depth_offset = key.depth_test && polygon.offset_fill &&
-                       (polygon.offset_factor != 0 || polygon.offset_units != 0);
+    key.depth_offset =
+        key.depth_test && polygon.offset_fill && (polygon.offset_factor != 0 || polygon.offset_units != 0);
     clamp_depths(ctx, state);
     key.polygon_stipple = polygon.stipple_enabled;
     if (key.polygon_stipple) {

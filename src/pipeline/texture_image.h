@@ -67,6 +67,7 @@ struct TextureImage {
     uint8_t* stencils(int x, int y) {
         return m_stencils.empty() ? nullptr : m_stencils.data() + index(x, y, 0);
     }
+    bool has_stencils() const { return !m_stencils.empty(); }
     void make_stencils() {
         m_stencils.resize(static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()));
     }
