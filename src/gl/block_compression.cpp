@@ -37,18 +37,12 @@ Rgba color_of_565(std::uint64_t c) {
             static_cast<std::uint8_t>(b << 3 | b >> 2), 255};
 }
 
-// `always_four`: the order of the two colours says nothing, as in the formats with an alpha block.
 void decode_colors(const std::byte* block, bool always_four, bool has_alpha, Texels& out) {
-    const std::uint64_t c0 = little_endian(block, 2), c1 = little_endian(block + 2, 2);
+    const auto c0 = static_cast<unsigned>(little_endian(block, 2)),
+               c1 = static_cast<unsigned>(little_endian(block + 2, 2));
     const std::uint64_t bits = little_endian(block + 4, 4);
-    Rgba palette[4] = {color_of_565(c0), color_of_565(c1), {0, 0, 0, 255}, {0, 0, 0, 255}};
-    const bool four = always_four || c0 > c1;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const int a = palette[0][c], b = palette[1][c];
-        palette[2][c] = four ? between(a, b, 85) : static_cast<std::uint8_t>((a + b + 1) >> 1);
-        if (four) palette[3][c] = between(a, b, 170);
-    }
-    if (!four && has_alpha) palette[3][3] = 0;
+    BlockPalette palette = block_palette(c0, c1, always_four);
+    if (!always_four && c0 <= c1 && has_alpha) palette[3][3] = 0;
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = palette[bits >> 2 * i & 3];
 }
 
@@ -59,16 +53,7 @@ void decode_alpha_4_bits(const std::byte* block, Texels& out) {
 }
 
 void decode_alpha_ramp(const std::byte* block, Texels& out) {
-    constexpr int kSevenths[] = {36, 72, 109, 145, 182, 218}, kFifths[] = {51, 102, 153, 204};
-    const int a = std::to_integer<int>(block[0]), b = std::to_integer<int>(block[1]);
-    std::array<std::uint8_t, 8> ramp{
-        static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), 0, 0, 0, 0, 0, 255};
-    if (a > b)
-        std::transform(std::begin(kSevenths), std::end(kSevenths), ramp.begin() + 2,
-                       [&](int weight) { return between(a, b, weight); });
-    else
-        std::transform(std::begin(kFifths), std::end(kFifths), ramp.begin() + 2,
-                       [&](int weight) { return between(a, b, weight); });
+    const AlphaRamp ramp = alpha_ramp(std::to_integer<int>(block[0]), std::to_integer<int>(block[1]));
     const std::uint64_t bits = little_endian(block + 2, 6);
     for (std::size_t i = 0; i < out.size(); ++i) out[i][3] = ramp[bits >> 3 * i & 7];
 }
@@ -82,6 +67,28 @@ void decode_block(const BlockFormat& format, const std::byte* block, Texels& out
 
 }  // namespace
 
+BlockPalette block_palette(unsigned c0, unsigned c1, bool always_four) {
+    BlockPalette palette{color_of_565(c0), color_of_565(c1), Rgba{0, 0, 0, 255}, Rgba{0, 0, 0, 255}};
+    const bool four = always_four || c0 > c1;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int a = palette[0][c], b = palette[1][c];
+        palette[2][c] = four ? between(a, b, 85) : static_cast<std::uint8_t>((a + b + 1) >> 1);
+        if (four) palette[3][c] = between(a, b, 170);
+    }
+    return palette;
+}
+
+AlphaRamp alpha_ramp(int a, int b) {
+    constexpr int kSevenths[] = {36, 72, 109, 145, 182, 218}, kFifths[] = {51, 102, 153, 204};
+    AlphaRamp ramp{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), 0, 0, 0, 0, 0, 255};
+    const auto fill = [&](const auto& weights) {
+        std::transform(std::begin(weights), std::end(weights), ramp.begin() + 2,
+                       [&](int weight) { return between(a, b, weight); });
+    };
+    a > b ? fill(kSevenths) : fill(kFifths);
+    return ramp;
+}
+
 const BlockFormat* find_block_format(GLenum name) {
     const auto found = std::find_if(std::begin(kFormats), std::end(kFormats),
                                     [&](const BlockFormat& format) { return format.name == name; });
@@ -89,8 +96,6 @@ const BlockFormat* find_block_format(GLenum name) {
 }
 
 GLint without_compression(GLint internal_format) {
-    if (const BlockFormat* format = find_block_format(static_cast<GLenum>(internal_format)))
-        return static_cast<GLint>(format->base);
     switch (internal_format) {
         case GL_COMPRESSED_ALPHA:
             return GL_ALPHA;
@@ -108,6 +113,10 @@ GLint without_compression(GLint internal_format) {
     return internal_format;
 }
 
+bool is_whole_blocks(GLint at, GLsizei size, GLsizei image_size) {
+    return at % kBlockSize == 0 && (size % kBlockSize == 0 || at + size == image_size);
+}
+
 void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width, int height, int x, int y,
                    pipeline::TextureImage& image) {
     Texels texels;
@@ -121,6 +130,28 @@ void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width
                             static_cast<std::size_t>(columns) * sizeof(Rgba));
         }
     }
+}
+
+std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, pipeline::TextureImage& image) {
+    auto blocks = std::make_shared<CompressedBlocks>();
+    blocks->format = &format;
+    blocks->bytes.resize(format.image_bytes(image.width, image.height));
+    encode_blocks(image, 0, 0, image.width, image.height, *blocks);
+    decode_blocks(format, blocks->bytes.data(), image.width, image.height, 0, 0, image);
+    return blocks;
+}
+
+void recompress(pipeline::TextureImage& image, int x, int y, int width, int height,
+                CompressedBlocks& blocks) {
+    encode_blocks(image, x, y, width, height, blocks);
+    const BlockFormat& format = *blocks.format;
+    const auto block = static_cast<std::size_t>(format.block_bytes);
+    const auto pitch = static_cast<std::size_t>(format.blocks_across(image.width));
+    for (int top = y; top < y + height; top += kBlockSize)
+        decode_blocks(format,
+                      blocks.bytes.data() + block * (static_cast<std::size_t>(top / kBlockSize) * pitch +
+                                                     static_cast<std::size_t>(x / kBlockSize)),
+                      width, std::min(kBlockSize, y + height - top), x, top, image);
 }
 
 }  // namespace terrazzo::gl

@@ -6,8 +6,10 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "pipeline/texture_image.h"
@@ -35,9 +37,19 @@ const BlockFormat* find_block_format(GLenum name);
 inline constexpr GLenum kOfferedBlockFormats[] = {
     GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT};
 
-// The internal format that texels keep which come uncompressed for a compressed one: they stay as they are
-// (GL 1.5 §3.8.1 allows that).
+// The base format in the place of a generic compressed one: whether these compress is left to us (GL 1.5
+// §3.8.1), and texels stay as they are.
 GLint without_compression(GLint internal_format);
+
+// The colours and alphas that a block chooses from. `always_four`: the order of the two ends says nothing, as
+// in the formats with an alpha block; else there may be three, and black.
+using BlockPalette = std::array<std::array<std::uint8_t, 4>, 4>;
+BlockPalette block_palette(unsigned first_565, unsigned second_565, bool always_four);
+using AlphaRamp = std::array<std::uint8_t, 8>;
+AlphaRamp alpha_ramp(int first, int second);
+
+// Whether a part of an image begins and ends with a block or with the image.
+bool is_whole_blocks(GLint at, GLsizei size, GLsizei image_size);
 
 struct CompressedBlocks {
     const BlockFormat* format;
@@ -47,5 +59,14 @@ struct CompressedBlocks {
 // Decodes blocks into the texels from (x, y) on, multiples of 4; what reaches beyond the image is left out.
 void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width, int height, int x, int y,
                    pipeline::TextureImage& image);
+
+// The other way: blocks of a part that is_whole_blocks() (block_encoder.cpp).
+void encode_blocks(const pipeline::TextureImage& image, int x, int y, int width, int height,
+                   CompressedBlocks& blocks);
+
+// Makes blocks of an image of bytes, and its texels what they decode to. Throws std::bad_alloc.
+std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, pipeline::TextureImage& image);
+// The same for a part that is_whole_blocks().
+void recompress(pipeline::TextureImage& image, int x, int y, int width, int height, CompressedBlocks& blocks);
 
 }  // namespace terrazzo::gl

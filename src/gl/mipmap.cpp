@@ -221,6 +221,7 @@ void generate_levels(const TextureObject& object, TextureLevels& levels) {
                              dimensions};
         TextureLevel made = make_level(spec, *above.format);
         LevelReducer(from, *made.image, *above.format).reduce();
+        compress_level(made);
         levels[static_cast<std::size_t>(number)] = std::move(made);
     }
 }

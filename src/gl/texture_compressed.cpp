@@ -18,8 +18,7 @@ namespace {
 constexpr const char* kNoFormat = "no compressed format of images of so many dimensions";
 
 const TexelFormat& texel_format(const BlockFormat& format) {
-    return *choose_texel_format(format.base == GL_RGB ? GL_RGB8 : GL_RGBA8, format.base, GL_UNSIGNED_BYTE,
-                                false);
+    return *choose_texel_format(static_cast<GLint>(format.name), format.base, GL_UNSIGNED_BYTE, false);
 }
 
 Rule check_image(const BlockFormat& format, const ImageTarget& target, const LevelSpec& spec, GLsizei size) {
@@ -28,11 +27,6 @@ Rule check_image(const BlockFormat& format, const ImageTarget& target, const Lev
     if (size < 0 || static_cast<std::size_t>(size) != format.image_bytes(spec.width, spec.height))
         return {GL_INVALID_VALUE, "the size is not that of such an image"};
     return {};
-}
-
-// Whether a part begins and ends with a block or with the image.
-bool is_aligned(GLint at, GLsizei size, GLsizei image_size) {
-    return at % kBlockSize == 0 && (size % kBlockSize == 0 || at + size == image_size);
 }
 
 // Puts the blocks of a part in their places.
@@ -127,7 +121,7 @@ void compressed_tex_sub_image_2d(Context& ctx, GLenum target_name, GLint level_n
         return record_error(ctx, GL_INVALID_OPERATION, "the level's image has another format");
     const LevelBox box{xoffset, yoffset, 0, width, height, 1};
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
-    if (!is_aligned(xoffset, width, level.width) || !is_aligned(yoffset, height, level.height))
+    if (!is_whole_blocks(xoffset, width, level.width) || !is_whole_blocks(yoffset, height, level.height))
         return record_error(ctx, GL_INVALID_OPERATION, "the rectangle does not end with blocks");
     if (!level.image || box.is_empty()) return;
     const std::byte* const bytes = memory.data;

@@ -102,8 +102,8 @@ Rule check_source(const Context& ctx, const TexelFormat& format, GLint internal_
 }
 
 void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, GLint y) {
-    if (spec.dimensions != 2 && find_block_format(static_cast<GLenum>(spec.internal_format)))
-        return record_error(ctx, GL_INVALID_ENUM, "no compressed format of images of so many dimensions");
+    if (const Rule rule = check_compression(spec); rule.code != GL_NO_ERROR)
+        return record_error(ctx, rule.code, rule.words);
     spec.internal_format = without_compression(spec.internal_format);
     const ImageTarget target = find_image_target(ctx, target_name);
     if (!target.object || target.is_proxy || target.dimensions != spec.dimensions)
@@ -129,6 +129,7 @@ void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, G
         if (has_stencil(spec.internal_format)) level.image->make_stencils();
         const LevelBox all{-spec.border, -spec.border_y(), 0, spec.width, spec.height, 1};
         copy_pixels(ctx.pixels, source, x, y, all, *format, *level.image);
+        compress_level(level);
     }
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
@@ -162,10 +163,15 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     if (level.format != format || level.internal_format != internal_format)
         return record_error(ctx, GL_INVALID_OPERATION, "the level has changed");
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
+    if (const Rule rule = check_blocks(level, box); rule.code != GL_NO_ERROR)
+        return record_error(ctx, rule.code, rule.words);
     if (!level.image || box.is_empty()) return;
+    const auto blocks = level.blocks ? std::make_shared<CompressedBlocks>(*level.blocks) : nullptr;
     pipeline::TextureImage& image = writable_image(ctx, level);
     if (has_stencil(internal_format)) image.make_stencils();
     copy_pixels(ctx.pixels, source, x, y, box, *level.format, image);
+    if (blocks) recompress(image, box.x, box.y, box.width, box.height, *blocks);
+    level.blocks = blocks;
     update_mipmap(target, level_number);
 }
 

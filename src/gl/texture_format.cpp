@@ -161,6 +161,7 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_form
             return &kRgb555;
         case 3:
         case GL_RGB8:
+        case GL_COMPRESSED_RGB_S3TC_DXT1_EXT:
             return &kRgb8;
         case GL_RGB10:
             return &kRgb10;
@@ -176,6 +177,9 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_form
             return &kRgb5A1;
         case 4:
         case GL_RGBA8:
+        case GL_COMPRESSED_RGBA_S3TC_DXT1_EXT:
+        case GL_COMPRESSED_RGBA_S3TC_DXT3_EXT:
+        case GL_COMPRESSED_RGBA_S3TC_DXT5_EXT:
             return &kRgba8;
         case GL_RGB10_A2:
             return &kRgb10A2;

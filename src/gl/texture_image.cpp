@@ -31,7 +31,8 @@ bool can_refill(Context& ctx, const TextureLevel& level, const LevelSpec& spec, 
     return level.format == &format &&
            has_stencil(level.internal_format) == has_stencil(spec.internal_format) &&
            level.width == spec.width && level.height == spec.height && level.depth == spec.depth &&
-           level.border == spec.border && level.image && !level.image.in_use() && !level.blocks;
+           level.border == spec.border && level.image && !level.image.in_use() && !level.blocks &&
+           !find_block_format(static_cast<GLenum>(spec.internal_format));
 }
 
 void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spec, const TexelFormat& format,
@@ -54,6 +55,7 @@ void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spe
     TextureLevel made = make_level(spec, format);
     if (brings_stencil && made.image) made.image->make_stencils();
     if (client.pixels && made.image) upload(ctx.pixels, client, format, all, spec.dimensions, *made.image);
+    compress_level(made);
     level = std::move(made);
     update_mipmap(target, spec.level);
 }
@@ -65,8 +67,8 @@ Rule check_depth_target(const ImageTarget& target, const TexelFormat& format) {
 }
 
 void tex_image(Context& ctx, GLenum target_name, LevelSpec spec, const ClientImage& client) {
-    if (spec.dimensions != 2 && find_block_format(static_cast<GLenum>(spec.internal_format)))
-        return record_error(ctx, GL_INVALID_ENUM, "no compressed format of images of so many dimensions");
+    if (const Rule rule = check_compression(spec); rule.code != GL_NO_ERROR)
+        return record_error(ctx, rule.code, rule.words);
     spec.internal_format = without_compression(spec.internal_format);
     const ImageTarget target = find_image_target(ctx, target_name);
     if (!target.object || target.dimensions != spec.dimensions)
@@ -112,10 +114,15 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
     }
     if (!contains(level, box)) return record_error(ctx, GL_INVALID_VALUE, "the rectangle leaves the image");
     if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
+    if (const Rule rule = check_blocks(level, box); rule.code != GL_NO_ERROR)
+        return record_error(ctx, rule.code, rule.words);
     if (!memory.data || !level.image || box.is_empty()) return;
+    const auto blocks = level.blocks ? std::make_shared<CompressedBlocks>(*level.blocks) : nullptr;
     pipeline::TextureImage& image = writable_image(ctx, level);
     if (client.format == GL_DEPTH_STENCIL && has_stencil(level.internal_format)) image.make_stencils();
     upload(ctx.pixels, {client.format, client.type, memory.data}, *level.format, box, dimensions, image);
+    if (blocks) recompress(image, box.x, box.y, box.width, box.height, *blocks);
+    level.blocks = blocks;
     update_mipmap(target, level_number);
 }
 

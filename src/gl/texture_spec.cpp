@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 
+#include "gl/block_compression.h"
 #include "gl/context.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
@@ -148,6 +149,27 @@ Rule check_pixels_fit(GLenum client_format, const TexelFormat& format) {
         (format.base == GL_DEPTH_COMPONENT))
         return {};
     return {GL_INVALID_OPERATION, "depth pixels belong to depth textures, and no others do"};
+}
+
+Rule check_compression(const LevelSpec& spec) {
+    if (!find_block_format(static_cast<GLenum>(spec.internal_format))) return {};
+    if (spec.dimensions != 2)
+        return {GL_INVALID_ENUM, "no compressed format of images of so many dimensions"};
+    if (spec.border == 1) return {GL_INVALID_OPERATION, "compressed images have no border"};
+    return {};
+}
+
+Rule check_blocks(const TextureLevel& level, const LevelBox& box) {
+    const bool whole = !level.blocks || (is_whole_blocks(box.x, box.width, level.width) &&
+                                         is_whole_blocks(box.y, box.height, level.height));
+    if (whole) return {};
+    return {GL_INVALID_OPERATION, "the rectangle does not end with blocks"};
+}
+
+void compress_level(TextureLevel& level) {
+    if (const BlockFormat* const format = find_block_format(static_cast<GLenum>(level.internal_format));
+        format && level.image)
+        level.blocks = compress(*format, *level.image);
 }
 
 TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format) {

@@ -49,6 +49,13 @@ Rule check_texture_pixels(GLenum format, GLenum type);
 // colours.
 Rule check_pixels_fit(GLenum client_format, const TexelFormat& format);
 
+// EXT_texture_compression_s3tc: what TexImage and CopyTexImage may ask for.
+Rule check_compression(const LevelSpec& spec);
+// ... and which parts of a compressed level TexSubImage and CopyTexSubImage may replace: whole blocks.
+Rule check_blocks(const TextureLevel& level, const LevelBox& box);
+// Compresses a new level's texels where its internal format says so. Throws std::bad_alloc.
+void compress_level(TextureLevel& level);
+
 // A level ready to be put into a texture object, its image zero. Throws std::bad_alloc.
 TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format);
 
