@@ -217,7 +217,10 @@ void restore(Context& ctx, const SavedAttributes& saved) {
         fragment.depth = saved.depth_buffer->state;
         clear.depth = saved.depth_buffer->clear_depth;
     }
-    if (saved.enables) restore_enables(ctx, *saved.enables);
+    if (saved.enables) {
+        latch_color_material(ctx);  // a material that ceases to follow the colour keeps its last one
+        restore_enables(ctx, *saved.enables);
+    }
     if (saved.evaluators) ctx.evaluators.modes = *saved.evaluators;
     if (saved.fog) ctx.fog = *saved.fog;
     if (saved.hints) ctx.hints = *saved.hints;

@@ -327,5 +327,29 @@ TEST_F(Attrib, EveryGroupAtOnce) {
     EXPECT_THAT(changed(before, dump()), IsEmpty());
 }
 
+// A material keeps the last colour that it followed, whichever way it ceases to follow.
+TEST_F(Attrib, PoppedColorMaterialLeavesTheLastColor) {
+    const auto diffuse = [&] {
+        GLfloat color[4] = {};
+        gl.GetMaterialfv(GL_FRONT, GL_DIFFUSE, color);
+        return color[0];
+    };
+    gl.ColorMaterial(GL_FRONT, GL_DIFFUSE);
+    gl.Color4f(0.25f, 0, 0, 1);
+    gl.PushAttrib(GL_ENABLE_BIT);
+    gl.Enable(GL_COLOR_MATERIAL);
+    EXPECT_EQ(diffuse(), 0.25f);
+    gl.Color4f(0.5f, 0, 0, 1);
+    gl.PopAttrib();
+    EXPECT_EQ(diffuse(), 0.5f);
+    gl.Color4f(0.75f, 0, 0, 1);
+    EXPECT_EQ(diffuse(), 0.5f);
+    gl.PushAttrib(GL_LIGHTING_BIT);
+    gl.Enable(GL_COLOR_MATERIAL);
+    EXPECT_EQ(diffuse(), 0.75f);
+    gl.PopAttrib();
+    EXPECT_EQ(diffuse(), 0.5f);
+}
+
 }  // namespace
 }  // namespace terrazzo::test
