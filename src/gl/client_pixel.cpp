@@ -84,18 +84,19 @@ size_t bytes_per_pixel(GLenum format, GLenum type) {
 }
 
 Rule check_client_pixel(GLenum format, GLenum type) {
+    const bool is_depth = format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL;
+    if (!is_color_format(format) && !is_index_format(format) && !is_depth)
+        return {GL_INVALID_ENUM, "unknown pixel format"};
+    // EXT_packed_depth_stencil: the one for the other.
+    if (format == GL_DEPTH_STENCIL && type != GL_UNSIGNED_INT_24_8)
+        return {GL_INVALID_ENUM, "depth and stencil are GL_UNSIGNED_INT_24_8"};
     if (const PackedType* packed = find_packed_type(type)) {
         if (fits_packed(format, *packed)) return {};
         return {GL_INVALID_OPERATION, "the packed type does not fit the format"};
     }
-    // EXT_packed_depth_stencil: the one for the other.
     if (type == GL_UNSIGNED_INT_24_8) {
         if (format == GL_DEPTH_STENCIL) return {};
         return {GL_INVALID_OPERATION, "GL_UNSIGNED_INT_24_8 holds depth and stencil"};
-    }
-    if (format == GL_DEPTH_STENCIL) return {GL_INVALID_ENUM, "depth and stencil are GL_UNSIGNED_INT_24_8"};
-    if (!is_color_format(format) && !is_index_format(format) && format != GL_DEPTH_COMPONENT) {
-        return {GL_INVALID_ENUM, "unknown pixel format"};
     }
     if (type == GL_BITMAP) {
         if (is_index_format(format)) return {};

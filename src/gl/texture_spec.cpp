@@ -16,6 +16,11 @@ namespace {
 // As much as the reference gives one image: 16384 x 16384 of 8 bits a component.
 constexpr size_t kMaxImageBytes = size_t{1} << 30;
 
+// Of the largest level.
+GLsizei largest_size(const LevelSpec& spec, bool is_cube) {
+    return is_cube ? kMaxCubeTextureSize : spec.dimensions == 3 ? kMax3dTextureSize : kMaxTextureSize;
+}
+
 bool is_supported_extent(GLsizei size, GLint border, GLint level, GLsizei largest) {
     return size >= 2 * border && size <= (largest >> level) + 2 * border;
 }
@@ -113,7 +118,8 @@ bool is_level(GLint level) {
 }
 
 Rule check_level_spec(const LevelSpec& spec, bool is_cube) {
-    if (!is_level(spec.level)) return {GL_INVALID_VALUE, "no such mipmap level"};
+    if (!is_level(spec.level) || largest_size(spec, is_cube) >> spec.level == 0)
+        return {GL_INVALID_VALUE, "no such mipmap level"};
     if (spec.width < 0 || spec.height < 0 || spec.depth < 0)
         return {GL_INVALID_VALUE, "the size is negative"};
     if (spec.border != 0 && spec.border != 1) return {GL_INVALID_VALUE, "the border is neither 0 nor 1"};
@@ -122,9 +128,7 @@ Rule check_level_spec(const LevelSpec& spec, bool is_cube) {
 }
 
 bool is_supported_size(const LevelSpec& spec, bool is_cube) {
-    const GLsizei largest = is_cube                ? kMaxCubeTextureSize
-                            : spec.dimensions == 3 ? kMax3dTextureSize
-                                                   : kMaxTextureSize;
+    const GLsizei largest = largest_size(spec, is_cube);
     return is_supported_extent(spec.width, spec.border, spec.level, largest) &&
            (spec.dimensions < 2 || is_supported_extent(spec.height, spec.border, spec.level, largest)) &&
            (spec.dimensions < 3 || is_supported_extent(spec.depth, spec.border, spec.level, largest));

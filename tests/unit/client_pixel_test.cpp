@@ -23,6 +23,8 @@ TEST(ClientPixel, BitmapsHoldIndices) {
 
 TEST(ClientPixel, UnknownFormatsAndTypes) {
     EXPECT_EQ(check_client_pixel(0, GL_UNSIGNED_BYTE).code, GLenum{GL_INVALID_ENUM});
+    EXPECT_EQ(check_client_pixel(0, GL_UNSIGNED_SHORT_5_6_5).code, GLenum{GL_INVALID_ENUM});
+    EXPECT_EQ(check_client_pixel(GL_DEPTH_STENCIL, GL_UNSIGNED_SHORT_5_6_5).code, GLenum{GL_INVALID_ENUM});
     EXPECT_EQ(check_client_pixel(GL_INTENSITY, GL_UNSIGNED_BYTE).code, GLenum{GL_INVALID_ENUM});
     EXPECT_EQ(check_client_pixel(GL_RGBA, GL_DOUBLE).code, GLenum{GL_INVALID_ENUM});
     EXPECT_EQ(check_client_pixel(GL_RGBA, 0).code, GLenum{GL_INVALID_ENUM});
