@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 #include "gl/context.h"
+#include "gl/convert.h"
 #include "gl/draw.h"
 #include "gl/generated/commands.h"
 #include "gl/translate.h"
@@ -152,49 +154,34 @@ void draw_indexed(Context& ctx, GLenum mode, GLsizei given_count, GLenum type, c
 }
 
 template <typename Component>
-double component_at(const std::byte* from, int index) {
+GLfloat component(const std::byte* from, int index, bool normalizes) {
     Component value;
     std::memcpy(&value, from + static_cast<std::size_t>(index) * sizeof value, sizeof value);
-    return static_cast<double>(value);
+    if constexpr (std::is_integral_v<Component>) {
+        if (normalizes) return normalised(value);
+    }
+    return static_cast<GLfloat>(value);
 }
 
-double component(GLenum type, const std::byte* from, int index) {
+// As the command for one such component would take it.
+GLfloat component(GLenum type, const std::byte* from, int index, bool normalizes) {
     switch (type) {
         case GL_BYTE:
-            return component_at<GLbyte>(from, index);
+            return component<GLbyte>(from, index, normalizes);
         case GL_UNSIGNED_BYTE:
-            return component_at<GLubyte>(from, index);
+            return component<GLubyte>(from, index, normalizes);
         case GL_SHORT:
-            return component_at<GLshort>(from, index);
+            return component<GLshort>(from, index, normalizes);
         case GL_UNSIGNED_SHORT:
-            return component_at<GLushort>(from, index);
+            return component<GLushort>(from, index, normalizes);
         case GL_INT:
-            return component_at<GLint>(from, index);
+            return component<GLint>(from, index, normalizes);
         case GL_UNSIGNED_INT:
-            return component_at<GLuint>(from, index);
+            return component<GLuint>(from, index, normalizes);
         case GL_DOUBLE:
-            return component_at<GLdouble>(from, index);
+            return component<GLdouble>(from, index, normalizes);
     }
-    return component_at<GLfloat>(from, index);
-}
-
-// Integers of colours and normals stand for [0, 1] and [-1, 1] (GL 1.5 table 2.9).
-double normalize_component(GLenum type, double value) {
-    switch (type) {
-        case GL_BYTE:
-            return (2 * value + 1) / 255;
-        case GL_UNSIGNED_BYTE:
-            return value / 255;
-        case GL_SHORT:
-            return (2 * value + 1) / 65535;
-        case GL_UNSIGNED_SHORT:
-            return value / 65535;
-        case GL_INT:
-            return (2 * value + 1) / 4294967295.0;
-        case GL_UNSIGNED_INT:
-            return value / 4294967295.0;
-    }
-    return value;
+    return component<GLfloat>(from, index, normalizes);
 }
 
 struct InterleavedFormat {
@@ -264,9 +251,8 @@ std::array<GLfloat, 4> ReadableArray::element(GLuint i) const {
     std::array<GLfloat, 4> out{0, 0, 0, 1};
     const std::size_t index = i;
     for (int c = 0; c < array->size; ++c) {
-        const double value = index < count ? component(array->type, bytes.data + index * stride, c) : 0;
         out[static_cast<std::size_t>(c)] =
-            static_cast<GLfloat>(normalized ? normalize_component(array->type, value) : value);
+            index < count ? component(array->type, bytes.data + index * stride, c, normalized) : 0;
     }
     if (array->bgra) std::swap(out[0], out[2]);
     if (attribute == pipeline::kSecondaryColor) out[3] = 1;

@@ -30,8 +30,8 @@ struct Wide4 {
     F32x16 x, y, z, w;
 };
 
-// Integers of vertex arrays as the reference converts them: products where GL 1.5 table 2.9 has quotients,
-// and signed ones by the rule of later versions, max(c / (2^(b-1) - 1), -1).
+// Integers of vertex arrays, with products where GL 1.5 table 2.9 has quotients. Signed ones come out as from
+// glNormal3b and its like, bit by bit (gl/convert.h); unsigned ones as the reference's.
 template <class T>
 TERRAZZO_INLINE float component(const std::byte* from, bool normalized) {
     T value;
@@ -40,10 +40,14 @@ TERRAZZO_INLINE float component(const std::byte* from, bool normalized) {
     if constexpr (std::is_same_v<T, uint32_t>) {
         const float above_one = std::bit_cast<float>(0x3f800000u | value >> 9);
         return (above_one - 1.0f) * static_cast<float>(8388608.0 / 8388607.0);
+    } else if constexpr (std::is_same_v<T, int32_t>) {
+        return static_cast<float>((2.0f * static_cast<float>(value) + 1.0f) * (1.0 / 4294967294.0));
+    } else if constexpr (std::is_signed_v<T>) {
+        constexpr float kScale =
+            1.0f / static_cast<float>(std::numeric_limits<std::make_unsigned_t<T>>::max());
+        return (2.0f * static_cast<float>(value) + 1.0f) * kScale;
     } else {
-        constexpr float kScale = static_cast<float>(1.0 / std::numeric_limits<T>::max());
-        const float scaled = static_cast<float>(value) * kScale;
-        return std::is_signed_v<T> ? std::max(scaled, -1.0f) : scaled;
+        return static_cast<float>(value) * static_cast<float>(1.0 / std::numeric_limits<T>::max());
     }
 }
 
