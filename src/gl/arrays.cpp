@@ -126,8 +126,12 @@ bool check_mode_and_count(Context& ctx, GLenum mode, GLsizei count) {
     return true;
 }
 
+bool is_index_type(GLenum type) {
+    return is_one_of(type, {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT});
+}
+
 bool check_index_type(Context& ctx, GLenum type) {
-    if (is_one_of(type, {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT})) return true;
+    if (is_index_type(type)) return true;
     record_error(ctx, GL_INVALID_ENUM, "no type of indices");
     return false;
 }
@@ -232,6 +236,15 @@ ClientArray* find_client_array(ArrayState& arrays, GLenum name) {
             return &arrays.texture[arrays.active_texture];
     }
     return nullptr;
+}
+
+Rule check_multi_draw(GLenum mode, const GLsizei* count, GLsizei drawcount, GLenum index_type) {
+    if (mode > GL_POLYGON) return {GL_INVALID_ENUM, "no such primitive"};
+    if (drawcount < 0) return {GL_INVALID_VALUE, "drawcount is negative"};
+    if (!is_index_type(index_type)) return {GL_INVALID_ENUM, "no type of indices"};
+    if (std::any_of(count, count + drawcount, [](GLsizei n) { return n < 0; }))
+        return {GL_INVALID_VALUE, "a count is negative"};
+    return {};
 }
 
 bool is_inside(const pipeline::VertexRange& range, const EnabledArrays& arrays) {
@@ -376,16 +389,16 @@ void draw_range_elements(Context& ctx, GLenum mode, GLuint start, GLuint end, GL
 
 void multi_draw_arrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count,
                        GLsizei drawcount) {
-    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
-    if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    if (const Rule rule = check_multi_draw(mode, count, drawcount); rule.code != GL_NO_ERROR)
+        return record_error(ctx, rule.code, rule.words);
     for (GLsizei i = 0; i < drawcount; ++i)
         if (count[i] > 0) draw_arrays(ctx, mode, first[i], count[i]);
 }
 
 void multi_draw_elements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type,
                          const void* const* indices, GLsizei drawcount) {
-    if (mode > GL_POLYGON) return record_error(ctx, GL_INVALID_ENUM, "no such primitive");
-    if (drawcount < 0) return record_error(ctx, GL_INVALID_VALUE, "drawcount is negative");
+    if (const Rule rule = check_multi_draw(mode, count, drawcount, type); rule.code != GL_NO_ERROR)
+        return record_error(ctx, rule.code, rule.words);
     for (GLsizei i = 0; i < drawcount; ++i)
         if (count[i] > 0) draw_elements(ctx, mode, count[i], type, indices[i]);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gl/buffers.h"
+#include "gl/client_pixel.h"
 #include "gl/limits.h"
 #include "pipeline/renderer.h"
 #include "pipeline/vertex_input.h"
@@ -118,6 +119,12 @@ class EnabledArrays {
     bool m_any_mapped = false;
     ReadableArray m_index;
 };
+
+// What MultiDrawArrays and MultiDrawElements ask of their arguments before anything is drawn. GL 1.5 §2.8
+// would pass over negative counts; like the reference, and the draws that a count stands for, ours takes them
+// for errors.
+Rule check_multi_draw(GLenum mode, const GLsizei* count, GLsizei drawcount,
+                      GLenum index_type = GL_UNSIGNED_BYTE);
 
 // A draw of more vertices than this, some of them beyond the end of a buffer, is GL_OUT_OF_MEMORY, in display
 // lists as outside: a wrong count must not take all memory. What is within buffers or the client's arrays is in

@@ -133,11 +133,10 @@ void draw(Context& ctx, const ArraysRecord& record) {
                     record.w_is_one);
 }
 
-// A wrong mode is an error without any draw too, as it is outside of lists.
+// Calls draw(i) for each draw of a MultiDraw command, unless `rule` says why none is made.
 template <typename Draw>
-void record_draws(Context& ctx, GLenum mode, GLsizei count, Draw draw) {
-    const auto [error, rule] = error_of_draw(ctx, mode, count);
-    if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
+void record_draws(Context& ctx, const Rule& rule, GLsizei count, Draw draw) {
+    if (rule.code != GL_NO_ERROR) return record_list_error(ctx, rule.code, rule.words);
     for (GLsizei i = 0; i < count; ++i) draw(i);
 }
 
@@ -211,7 +210,7 @@ void Compile::DrawRangeElements(Context& ctx, GLenum mode, GLuint start, GLuint 
 
 void Compile::MultiDrawArrays(Context& ctx, GLenum mode, const GLint* first, const GLsizei* count,
                               GLsizei drawcount) {
-    record_draws(ctx, mode, drawcount, [&](GLsizei i) {
+    record_draws(ctx, check_multi_draw(mode, count, drawcount), drawcount, [&](GLsizei i) {
         if (count[i] > 0) record_draw_arrays(ctx, mode, first[i], count[i]);
     });
     if (ctx.lists.execute_too) ctx.dispatch.execute->MultiDrawArrays(&ctx, mode, first, count, drawcount);
@@ -219,7 +218,7 @@ void Compile::MultiDrawArrays(Context& ctx, GLenum mode, const GLint* first, con
 
 void Compile::MultiDrawElements(Context& ctx, GLenum mode, const GLsizei* count, GLenum type,
                                 const void* const* indices, GLsizei drawcount) {
-    record_draws(ctx, mode, drawcount, [&](GLsizei i) {
+    record_draws(ctx, check_multi_draw(mode, count, drawcount, type), drawcount, [&](GLsizei i) {
         if (count[i] > 0) record_draw_elements(ctx, mode, count[i], type, indices[i]);
     });
     if (ctx.lists.execute_too)

@@ -16,6 +16,8 @@ struct BadCall {
 
 const GLfloat kVector[4] = {1, 2, 3, 4};
 const GLdouble kPlane[4] = {1, 2, 3, 4};
+const GLint kCounts[2] = {0, -1};
+const void* const kNoIndices[2] = {nullptr, nullptr};
 
 const BadCall kBadCalls[] = {
     {"Enable", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_TRIANGLES); }},
@@ -111,6 +113,19 @@ const BadCall kBadCalls[] = {
     {"Fog, source of coordinates", GL_INVALID_ENUM,
      [](auto& gl) { gl.Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_DENSITY); }},
     {"Fog, density < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Fogf(GL_FOG_DENSITY, -1); }},
+
+    {"MultiDrawArrays, mode", GL_INVALID_ENUM,
+     [](auto& gl) { gl.MultiDrawArrays(GL_POLYGON + 1, kCounts, kCounts, 0); }},
+    {"MultiDrawArrays, drawcount < 0", GL_INVALID_VALUE,
+     [](auto& gl) { gl.MultiDrawArrays(GL_LINES, kCounts, kCounts, -1); }},
+    {"MultiDrawArrays, a count < 0", GL_INVALID_VALUE,
+     [](auto& gl) { gl.MultiDrawArrays(GL_LINES, kCounts, kCounts, 2); }},
+    {"MultiDrawElements, mode", GL_INVALID_ENUM,
+     [](auto& gl) { gl.MultiDrawElements(GL_POLYGON + 1, kCounts, GL_UNSIGNED_BYTE, kNoIndices, 0); }},
+    {"MultiDrawElements, type", GL_INVALID_ENUM,
+     [](auto& gl) { gl.MultiDrawElements(GL_LINES, kCounts, GL_FLOAT, kNoIndices, 1); }},
+    {"MultiDrawElements, a count < 0", GL_INVALID_VALUE,
+     [](auto& gl) { gl.MultiDrawElements(GL_LINES, kCounts, GL_UNSIGNED_BYTE, kNoIndices, 2); }},
 
     {"ColorPointer, blue first in shorts", GL_INVALID_OPERATION,
      [](auto& gl) { gl.ColorPointer(GL_BGRA, GL_UNSIGNED_SHORT, 0, nullptr); }},
