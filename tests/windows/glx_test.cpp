@@ -1,8 +1,5 @@
 // GLX as programs use it: configurations, contexts, drawables, swaps, errors. Run by on_display.py, through libglvnd and
 // without, on servers with and without GLX and shared memory.
-#define GLX_GLXEXT_PROTOTYPES
-#define GL_GLEXT_PROTOTYPES
-#include <atomic>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -10,73 +7,10 @@
 #include <thread>
 #include <vector>
 
-// GoogleTest before Xlib, whose macros are words that others use.
-#include <gtest/gtest.h>
-
-#include <GL/gl.h>
-#include <GL/glx.h>
-
-#include "drawing.h"
+#include "glx_fixture.h"
 
 namespace terrazzo::test {
 namespace {
-
-constexpr int kNone = 0;  // GLX lists end with X's None
-
-template <class Function>
-Function* command(const char* name) {
-    return reinterpret_cast<Function*>(glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name)));
-}
-
-std::atomic<int> last_x_error = 0;
-
-int note_error(Display*, XErrorEvent* event) {
-    last_x_error = event->error_code;
-    return 0;
-}
-
-class Glx : public testing::Test {
-  protected:
-    Glx() {
-        XSetErrorHandler(note_error);
-        last_x_error = 0;
-        display = XOpenDisplay(nullptr);
-    }
-    ~Glx() override {
-        if (!display) return;
-        glXMakeCurrent(display, 0, nullptr);
-        XCloseDisplay(display);
-    }
-    void SetUp() override { ASSERT_NE(display, nullptr); }
-
-    GLXFBConfig config(std::vector<int> list = {}) {
-        for (const int value : {GLX_RED_SIZE, 8, GLX_DEPTH_SIZE, 24, kNone}) list.push_back(value);
-        int count = 0;
-        GLXFBConfig* const found = glXChooseFBConfig(display, DefaultScreen(display), list.data(), &count);
-        if (!found) return nullptr;
-        const GLXFBConfig first = found[0];
-        XFree(found);
-        return first;
-    }
-    GLXFBConfig double_buffered() { return config({GLX_DOUBLEBUFFER, 1}); }
-    GLXFBConfig single_buffered() { return config({GLX_DOUBLEBUFFER, 0}); }
-
-    std::unique_ptr<XWindow> window(GLXFBConfig of, int width = 100, int height = 80) {
-        XVisualInfo* const visual = glXGetVisualFromFBConfig(display, of);
-        auto out = std::make_unique<XWindow>(display, *visual, width, height);
-        XFree(visual);
-        return out;
-    }
-    GLXContext context(GLXFBConfig of, GLXContext share = nullptr) {
-        return glXCreateNewContext(display, of, GLX_RGBA_TYPE, share, 1);
-    }
-    int take_x_error() {
-        XSync(display, 0);
-        return last_x_error.exchange(0);
-    }
-
-    Display* display;
-};
 
 // libglvnd takes another vendor in silence where ours fails to load.
 TEST_F(Glx, TheRendererIsOurs) {
