@@ -2,14 +2,15 @@
 #include "gl/debug_log.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
+
+#include "simd/environment.h"
 
 namespace terrazzo::gl {
 
 bool debug_enabled() {
     static const bool enabled = [] {
-        const char* value = std::getenv("TERRAZZO_DEBUG");
+        const char* value = setting("TERRAZZO_DEBUG");
         return value && *value && std::strcmp(value, "0") != 0;
     }();
     return enabled;

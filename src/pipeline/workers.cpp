@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "simd/environment.h"
+
 namespace terrazzo::pipeline {
 
 namespace {
@@ -116,7 +118,7 @@ struct PoolEnd {
 } g_pool_end;
 
 int read_thread_count() {
-    if (const char* const text = std::getenv("TERRAZZO_THREADS")) {
+    if (const char* const text = setting("TERRAZZO_THREADS")) {
         char* end = nullptr;
         const long value = std::strtol(text, &end, 10);
         if (end != text && *end == '\0' && value >= 0) return static_cast<int>(std::clamp(value, 1L, 256L));

@@ -1,8 +1,7 @@
 // The tables of the instruction sets that were compiled in, and the choice among them.
 #include "raster/kernel_table.h"
 
-#include <cstdlib>
-
+#include "simd/environment.h"
 #include "simd/isa.h"
 
 #define TERRAZZO_DECLARE_ISA(isa)                      \
@@ -49,7 +48,7 @@ constexpr const KernelTable* kCompiled[] = {
 
 const KernelTable& choose() {
     simd::Isa wanted = simd::Isa::kScalar;
-    const char* const name = std::getenv("TERRAZZO_ISA");
+    const char* const name = setting("TERRAZZO_ISA");
     const bool forced = name != nullptr && simd::parse_isa(name, wanted);
     for (const KernelTable* table : kCompiled)
         if (forced && table->isa == wanted && simd::processor_has(wanted)) return *table;

@@ -3,7 +3,8 @@
 
 usage: rooms_test.py SOURCE_ROOT
 Fails with a line per offence: an include of a room further up, an include of ours that does not exist, a GL type,
-enumerant or header below src/gl, a file that does not open by saying what it is.
+enumerant or header below src/gl, a look into the environment beside its one door, a file that does not open by saying
+what it is.
 """
 import re
 import sys
@@ -14,6 +15,7 @@ import source_text
 ROOT = sys.argv.pop()
 GL_TERMS = re.compile(r"\bGL(?:enum|bitfield|boolean|byte|short|int|sizei|u(?:byte|short|int)|float|double|clamp[fd])\b"
                       r"|\bGL_[A-Z0-9_]+|<(?:GL|KHR|EGL|GLES\d?)/")
+ENVIRONMENT = re.compile(r"\b(?:\w*getenv\w*|environ)\b")
 
 
 class Rooms(unittest.TestCase):
@@ -54,6 +56,11 @@ class Rooms(unittest.TestCase):
             text = source_text.without_comments(path.read_text())
             offences += [f"{path}: {term}" for term in GL_TERMS.findall(text)]
         self.check(offences)
+
+    def test_one_door_to_the_environment(self):
+        """Which privileged programs find shut: src/simd/environment.h."""
+        self.check([f"{path}: {name}" for path in self.files if path.name != "environment.cpp"
+                    for name in ENVIRONMENT.findall(source_text.without_comments(path.read_text()))])
 
     def test_every_file_says_what_it_is(self):
         self.check([f"{path}: does not open with a comment" for path in self.files

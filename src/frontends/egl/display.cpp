@@ -8,7 +8,6 @@
 #undef max
 
 #include <algorithm>
-#include <cstdlib>
 #include <exception>
 
 namespace terrazzo::egl {
@@ -96,7 +95,8 @@ Display* get_display(EGLenum platform, void* native, int screen) {
             display->platform = Platform::kX11;
             break;
         case EGL_NONE:  // eglGetDisplay(EGL_DEFAULT_DISPLAY)
-            if (std::getenv("DISPLAY")) display->platform = Platform::kX11;
+            // The name that Xlib would connect to: DISPLAY's, or none.
+            if (*XDisplayName(nullptr)) display->platform = Platform::kX11;
             break;
         default:
             break;

@@ -1,16 +1,18 @@
 // See watch.h.
 #include "frontends/window/watch.h"
 
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <mutex>
 
 #include "pipeline/statistics.h"
+#include "simd/environment.h"
 
 namespace terrazzo::window {
 namespace {
@@ -20,15 +22,14 @@ using pipeline::statistics;
 class Watcher {
   public:
     Watcher() {
-        const char* const path = std::getenv("TERRAZZO_WATCH");
+        const char* const path = setting("TERRAZZO_WATCH");
         sockaddr_un address{};
         if (!path || std::strlen(path) >= sizeof address.sun_path) return;
         address.sun_family = AF_UNIX;
         std::strcpy(address.sun_path, path);
-        m_socket = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-        if (m_socket >= 0 && connect(m_socket, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
-            close();
-        m_pictures = std::getenv("TERRAZZO_WATCH_PICTURES") != nullptr;
+        m_socket = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+        if (m_socket >= 0 && !connect_to(address)) close();
+        m_pictures = setting("TERRAZZO_WATCH_PICTURES") != nullptr;
         statistics.enabled = is_open();
         m_last = Clock::now();
     }
@@ -53,13 +54,38 @@ class Watcher {
   private:
     using Clock = std::chrono::steady_clock;
 
+    // How long a watcher may do nothing, and be waited for. Writing the PNG of a 3840x2160 frame takes it
+    // half a second.
+    static constexpr std::chrono::milliseconds kPatience{3000};
+
+    // A socket whose queue of callers is full answers EAGAIN, and poll() says nothing about it.
+    bool connect_to(const sockaddr_un& address) {
+        const Clock::time_point end = Clock::now() + kPatience;
+        while (::connect(m_socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+            if ((errno != EAGAIN && errno != EINTR) || Clock::now() >= end) return false;
+            if (errno == EAGAIN) poll(nullptr, 0, 1);
+        }
+        return true;
+    }
+
+    // False once the watcher has gone, or has read nothing for as long as we are patient.
     bool write_all(const void* from, std::uint64_t bytes) {
         auto at = static_cast<const std::byte*>(from);
+        Clock::time_point end = Clock::now() + kPatience;
         while (bytes > 0) {
             const ssize_t sent = ::send(m_socket, at, bytes, MSG_NOSIGNAL);
-            if (sent <= 0) return false;
-            at += sent;
-            bytes -= static_cast<std::uint64_t>(sent);
+            if (sent > 0) {
+                at += sent;
+                bytes -= static_cast<std::uint64_t>(sent);
+                end = Clock::now() + kPatience;
+                continue;
+            }
+            if (sent < 0 && errno == EINTR) continue;
+            if (sent == 0 || errno != EAGAIN) return false;
+            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+            if (left.count() <= 0) return false;
+            pollfd file{m_socket, POLLOUT, 0};
+            poll(&file, 1, static_cast<int>(left.count()));
         }
         return true;
     }

@@ -1,8 +1,8 @@
 // What `terrazzo run` is told of a program's frames: pictures and times, through a socket whose path
 // TERRAZZO_WATCH names.
 //
-// Without that variable a frame costs one test. A watcher that goes away is forgotten; the program never
-// waits for it longer than it takes to write a frame, and never hears of it.
+// Without that variable a frame costs one test. A watcher that goes away is forgotten, and so is one that reads
+// nothing for three seconds; the program waits for it no longer, and never hears of it.
 #pragma once
 
 #include <cstddef>

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "frontends/x11/reply.h"
+#include "simd/environment.h"
 
 namespace terrazzo::x11 {
 namespace {
@@ -56,7 +57,7 @@ Connection inspect(xcb_connection_t* connection) {
     const bool little = std::endian::native == std::endian::little;
     if ((setup->image_byte_order == XCB_IMAGE_ORDER_LSB_FIRST) != little) return out;
     const xcb_query_extension_reply_t* shm = xcb_get_extension_data(connection, &xcb_shm_id);
-    out.may_share = shm && shm->present && !std::getenv("TERRAZZO_NO_SHM");
+    out.may_share = shm && shm->present && !setting("TERRAZZO_NO_SHM");
     for (auto screen = xcb_setup_roots_iterator(setup); screen.rem; xcb_screen_next(&screen)) {
         Screen& to = out.screens.emplace_back();
         to.root = screen.data->root;
