@@ -4,6 +4,7 @@
 #include <EGL/eglext.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "frontends/window/choose.h"
 #include "gl/limits.h"
@@ -75,6 +76,36 @@ constexpr window::Attribute<Config> kAttributes[] = {
 
 constexpr window::Chooser<Config> kChooser{kAttributes};
 
+// Whether the attribute can have the value (EGL 1.5 table 3.1, §3.4.1.1).
+bool is_value(int name, int value) {
+    const auto among = [&](std::initializer_list<int> values) {
+        return std::ranges::count(values, value) != 0;
+    };
+    if (name == EGL_LEVEL) return value != kDontCare;
+    if (value == kDontCare) return true;
+    switch (name) {
+        case EGL_CONFIG_CAVEAT:
+            return among({EGL_NONE, EGL_SLOW_CONFIG, EGL_NON_CONFORMANT_CONFIG});
+        case EGL_COLOR_BUFFER_TYPE:
+            return among({EGL_RGB_BUFFER, EGL_LUMINANCE_BUFFER});
+        case EGL_TRANSPARENT_TYPE:
+            return among({EGL_NONE, EGL_TRANSPARENT_RGB});
+        case EGL_BIND_TO_TEXTURE_RGB:
+        case EGL_BIND_TO_TEXTURE_RGBA:
+        case EGL_NATIVE_RENDERABLE:
+            return among({EGL_TRUE, EGL_FALSE});
+        case EGL_CONFIG_ID:
+            return value > 0;
+        case EGL_NATIVE_VISUAL_TYPE:
+        case EGL_SURFACE_TYPE:
+        case EGL_RENDERABLE_TYPE:
+        case EGL_CONFORMANT:
+            return true;
+        default:
+            return value >= 0;
+    }
+}
+
 }  // namespace
 
 raster::TargetFormat Config::target_format() const {
@@ -138,14 +169,19 @@ std::optional<int> attribute(const Config& config, int name) {
 }
 
 Choice choose(const std::vector<Config>& configs, const EGLint* list) {
+    Choice out;
     window::Wishes wishes;
     for (; list && *list != EGL_NONE; list += 2) {
-        if (list[0] == EGL_MATCH_NATIVE_PIXMAP)
-            continue;  // every configuration goes with pixmaps of its depth
-        if (!kChooser.find(list[0])) return {};
+        if (list[0] == EGL_MATCH_NATIVE_PIXMAP) {
+            out.pixmap = list[1] == EGL_NONE ? 0 : static_cast<std::uint32_t>(list[1]);
+            continue;
+        }
+        if (!kChooser.find(list[0]) || !is_value(list[0], list[1])) return {};
         wishes[list[0]] = list[1];
     }
-    return {true, kChooser.choose(configs, wishes, EGL_CONFIG_ID)};
+    out.understood = true;
+    out.configs = kChooser.choose(configs, wishes, EGL_CONFIG_ID);
+    return out;
 }
 
 }  // namespace terrazzo::egl

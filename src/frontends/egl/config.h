@@ -3,6 +3,7 @@
 
 #include <EGL/egl.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,7 @@ std::optional<int> attribute(const Config& config, int name);
 struct Choice {
     bool understood = false;             // no unknown attribute and no impossible value
     std::vector<const Config*> configs;  // best first
+    std::uint32_t pixmap = 0;            // that they are to go with as well; 0: none
 };
 Choice choose(const std::vector<Config>& configs, const EGLint* list);
 

@@ -45,7 +45,8 @@ EGLint parse(const EGLint* list, Request& out) {
                 out.forward_compatible |= (value & EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR) != 0;
                 break;
             case EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE:
-                out.forward_compatible = value != 0;
+                if (value != EGL_TRUE && value != EGL_FALSE) return EGL_BAD_ATTRIBUTE;
+                out.forward_compatible = value == EGL_TRUE;
                 break;
             case EGL_CONTEXT_OPENGL_DEBUG:
             case EGL_CONTEXT_OPENGL_ROBUST_ACCESS:
@@ -86,12 +87,42 @@ bool compatible(const egl::Context& context, const egl::Surface& surface) {
     return !context.config || context.config->color == surface.config->color;
 }
 
+// The surfaces that it had die, if they do, without the lock.
+void set_surfaces(const std::shared_ptr<egl::Context>& context, std::shared_ptr<egl::Surface> draw,
+                  std::shared_ptr<egl::Surface> read, EGLDisplay display) {
+    const auto guard = egl::lock();
+    for (const auto& surface : {draw, read})
+        if (surface) surface->user = context;
+    context->draw.swap(draw);
+    context->read.swap(read);
+    context->display = display;
+}
+
 void release() {
-    if (const auto context = egl::current_context()) {
-        context->draw = context->read = nullptr;
-        context->display = EGL_NO_DISPLAY;
-    }
+    if (const auto context = egl::current_context()) set_surfaces(context, nullptr, nullptr, EGL_NO_DISPLAY);
     window::make_current({});
+}
+
+// Whether another thread's context draws to the surface or reads from it.
+bool is_used_elsewhere(const egl::Surface& surface, const std::shared_ptr<egl::Context>& wanted) {
+    const auto own = egl::current_context();
+    const auto guard = egl::lock();
+    const auto user = surface.user.lock();
+    return user && user != own && user != wanted && user->is_current &&
+           (user->draw.get() == &surface || user->read.get() == &surface);
+}
+
+// The window or pixmap that the context draws to is known to have gone.
+bool is_drawing_for_nobody(const egl::Context& context) {
+    return context.draw && context.draw->server && context.draw->server->is_gone();
+}
+
+// What MakeCurrent says of a surface once its window has been asked for its size (EGL 1.5 §3.7.3).
+EGLint unusable(const egl::Surface& surface, const std::shared_ptr<egl::Context>& wanted) {
+    if (is_used_elsewhere(surface, wanted)) return EGL_BAD_ACCESS;
+    surface.buffers->follow_window(gl::Follow::kOncePerPicture);
+    if (!surface.server || !surface.server->is_gone()) return EGL_SUCCESS;
+    return surface.kind == egl::Kind::kWindow ? EGL_BAD_NATIVE_WINDOW : EGL_BAD_NATIVE_PIXMAP;
 }
 
 }  // namespace
@@ -169,17 +200,14 @@ EGLBoolean eglMakeCurrent(EGLDisplay handle, EGLSurface draw, EGLSurface read,
         return egl::fail(EGL_BAD_SURFACE);
     if (!to != !from) return egl::fail(EGL_BAD_MATCH);
     if (to && (!compatible(*context, *to) || !compatible(*context, *from))) return egl::fail(EGL_BAD_MATCH);
-    if (to) {
-        to->buffers->follow_window(gl::Follow::kOncePerPicture);
-        if (from != to) from->buffers->follow_window(gl::Follow::kOncePerPicture);
-    }
+    EGLint error = to ? unusable(*to, context) : EGL_SUCCESS;
+    if (error == EGL_SUCCESS && from && from != to) error = unusable(*from, context);
+    if (error != EGL_SUCCESS) return egl::fail(error);
     const auto before = egl::current_context();
     if (!window::make_current({context, to ? to->buffers : nullptr, from ? from->buffers : nullptr}))
         return egl::fail(EGL_BAD_ACCESS);
-    if (before && before != context) before->draw = before->read = nullptr;
-    context->draw = to;
-    context->read = from;
-    context->display = handle;
+    if (before && before != context) set_surfaces(before, nullptr, nullptr, EGL_NO_DISPLAY);
+    set_surfaces(context, to, from, handle);
     egl::set_error(EGL_SUCCESS);
     return EGL_TRUE;
 } catch (const std::exception&) {
@@ -244,10 +272,11 @@ EGLBoolean eglQueryContext(EGLDisplay handle, EGLContext context_handle, EGLint 
 
 EGLBoolean eglWaitClient() try {
     egl::set_error(EGL_SUCCESS);
-    if (const auto context = egl::current_context()) {
-        gl::present_window(*context->gl);
-        gl::finish(*context->gl);
-    }
+    const auto context = egl::current_context();
+    if (!context) return EGL_TRUE;
+    gl::present_window(*context->gl);
+    gl::finish(*context->gl);
+    if (is_drawing_for_nobody(*context)) return egl::fail(EGL_BAD_CURRENT_SURFACE);
     return EGL_TRUE;
 } catch (const std::exception&) {
     return egl::fail(EGL_BAD_ALLOC);
@@ -265,6 +294,7 @@ EGLBoolean eglWaitNative(EGLint engine) try {
     if (!context || !context->draw) return EGL_TRUE;
     context->draw->buffers->follow_window(gl::Follow::kNow);
     gl::follow_drawables(*context->gl);
+    if (is_drawing_for_nobody(*context)) return egl::fail(EGL_BAD_CURRENT_SURFACE);
     return EGL_TRUE;
 } catch (const std::exception&) {
     return egl::fail(EGL_BAD_ALLOC);

@@ -138,23 +138,32 @@ std::shared_ptr<Context> current_context() {
 
 namespace {
 
+// Xlib finds out about a server that has gone when it is asked something, and calls the program's handler.
+void ask_xlib(void* native) {
+    XSync(static_cast<::Display*>(native), False);
+}
+
 // False if there is no X server to be had.
 bool connect(Display& display) {
     xcb_connection_t* connection = nullptr;
+    ::Display* xlib = nullptr;
     int screen = display.screen;
     if (display.name == EGL_PLATFORM_XCB_EXT && display.native) {
         connection = static_cast<xcb_connection_t*>(display.native);
     } else if (display.native) {
-        const auto native = static_cast<::Display*>(display.native);
-        connection = XGetXCBConnection(native);
-        if (XExtCodes* codes = XAddExtension(native))
-            XESetCloseDisplay(native, codes->extension, &close_display);
-        if (screen < 0) screen = DefaultScreen(native);
+        xlib = static_cast<::Display*>(display.native);
+        connection = XGetXCBConnection(xlib);
+        if (XExtCodes* codes = XAddExtension(xlib)) XESetCloseDisplay(xlib, codes->extension, &close_display);
+        if (screen < 0) screen = DefaultScreen(xlib);
     } else {
         connection = xcb_connect(nullptr, &screen);
         display.owns_connection = true;
     }
     display.connection = x11::inspect(connection);
+    if (xlib) {
+        display.connection.lost = ask_xlib;
+        display.connection.owner = xlib;
+    }
     const auto count = static_cast<int>(display.connection.screens.size());
     if (count > 0) {
         const auto number = static_cast<std::size_t>(std::clamp(screen, 0, count - 1));

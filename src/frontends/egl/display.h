@@ -21,6 +21,8 @@ namespace terrazzo::egl {
 
 enum class Kind { kWindow, kPixmap, kPbuffer };
 
+struct Context;
+
 // What an EGLSurface points at.
 struct Surface {
     Kind kind = Kind::kPbuffer;
@@ -29,7 +31,8 @@ struct Surface {
     x11::ServerDrawable* server = nullptr;  // the same; null for pbuffers
     bool wants_back_buffer = true;          // EGL_RENDER_BUFFER
     bool is_largest = false;
-    bool preserves = true;  // EGL_SWAP_BEHAVIOR
+    bool preserves = true;        // EGL_SWAP_BEHAVIOR
+    std::weak_ptr<Context> user;  // the last context it was made current with; guarded by lock()
     int swap_interval = 0;
     std::int64_t last_msc = 0;  // of the last swap that waited
 };
@@ -39,7 +42,7 @@ struct Context : window::Context {
     Context() : window::Context(window::Interface::kEgl) {}
     const Config* config = nullptr;  // null: made without one
     EGLint release_behavior = EGL_CONTEXT_RELEASE_BEHAVIOR_FLUSH_KHR;
-    // While it is current.
+    // While it is current; written under lock().
     std::shared_ptr<Surface> draw, read;
     EGLDisplay display = EGL_NO_DISPLAY;
 };

@@ -48,8 +48,16 @@ EGLBoolean eglChooseConfig(EGLDisplay handle, const EGLint* attributes, EGLConfi
                            EGLint* count) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const egl::Choice choice = egl::choose(display->configs, attributes);
+    egl::Choice choice = egl::choose(display->configs, attributes);
     if (!choice.understood) return egl::fail(EGL_BAD_ATTRIBUTE);
+    if (choice.pixmap) {
+        xcb_connection_t* const xcb = display->connection.xcb;
+        const auto pixmap = xcb ? terrazzo::x11::geometry(xcb, choice.pixmap) : std::nullopt;
+        if (!pixmap) return egl::fail(EGL_BAD_ATTRIBUTE);
+        std::erase_if(choice.configs, [&](const egl::Config* config) {
+            return !config->visual || config->visual->image.depth != pixmap->depth;
+        });
+    }
     return to_client(choice.configs, configs, size, count);
 } catch (const std::exception&) {
     return egl::fail(EGL_BAD_ALLOC);

@@ -7,6 +7,7 @@
 
 #include "frontends/egl/display.h"
 #include "frontends/window/refresh.h"
+#include "frontends/x11/reply.h"
 #include "gl/generated/commands.h"
 #include "gl/limits.h"
 #include "gl/surface.h"
@@ -243,7 +244,7 @@ EGLBoolean eglQuerySurface(EGLDisplay handle, EGLSurface surface_handle, EGLint 
             return EGL_TRUE;
         case EGL_BUFFER_AGE_EXT: {
             if (!context_drawing_to(*surface)) return egl::fail(EGL_BAD_SURFACE);
-            *value = surface->server ? surface->server->buffer_age() : 0;
+            *value = surface->server ? static_cast<EGLint>(surface->server->buffer_age()) : 0;
             return EGL_TRUE;
         }
         case EGL_LARGEST_PBUFFER:
@@ -295,25 +296,26 @@ EGLBoolean eglSwapInterval(EGLDisplay handle, EGLint interval) {
     return EGL_TRUE;
 }
 
+// A surface is posted by the thread that draws to it (EGL 1.5 §3.10.5).
 EGLBoolean eglSwapBuffers(EGLDisplay handle, EGLSurface surface_handle) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
     const auto surface = egl::find_surface(*display, surface_handle);
-    if (!surface) return egl::fail(EGL_BAD_SURFACE);
+    gl::Context* const ctx = surface ? context_drawing_to(*surface) : nullptr;
+    if (!ctx) return egl::fail(EGL_BAD_SURFACE);
     egl::set_error(EGL_SUCCESS);
-    gl::Context* const ctx = context_drawing_to(*surface);
     // Only a window's back buffer is swapped; of others what has been drawn so far is drawn.
     if (!surface->server || !surface->buffers->is_double_buffered()) {
-        if (ctx) {
-            gl::present_window(*ctx);
-            gl::finish(*ctx);
-        }
-        return EGL_TRUE;
+        gl::present_window(*ctx);
+        gl::finish(*ctx);
+    } else {
+        if (surface->swap_interval > 0)
+            surface->last_msc = window::wait_for_msc(surface->last_msc + surface->swap_interval, 0, 0);
+        surface->server->swap(ctx);
+        gl::follow_drawables(*ctx);
     }
-    if (surface->swap_interval > 0)
-        surface->last_msc = window::wait_for_msc(surface->last_msc + surface->swap_interval, 0, 0);
-    surface->server->swap(ctx);
-    if (ctx) gl::follow_drawables(*ctx);
+    if (surface->kind == egl::Kind::kWindow && surface->server->is_gone())
+        return egl::fail(EGL_BAD_NATIVE_WINDOW);
     return EGL_TRUE;
 } catch (const std::exception&) {
     return egl::fail(EGL_BAD_ALLOC);
@@ -322,6 +324,7 @@ EGLBoolean eglSwapBuffers(EGLDisplay handle, EGLSurface surface_handle) try {
 // What lies outside the damage is the same as before: showing it again changes nothing.
 EGLBoolean eglSwapBuffersWithDamageKHR(EGLDisplay display, EGLSurface surface, const EGLint* rectangles,
                                        EGLint count) {
+    if (!egl::initialized_display(display)) return EGL_FALSE;
     if (count < 0 || (count > 0 && !rectangles)) return egl::fail(EGL_BAD_PARAMETER);
     return eglSwapBuffers(display, surface);
 }
@@ -335,25 +338,27 @@ EGLBoolean eglCopyBuffers(EGLDisplay handle, EGLSurface surface_handle, EGLNativ
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
     const auto surface = egl::find_surface(*display, surface_handle);
-    if (!surface) return egl::fail(EGL_BAD_SURFACE);
+    gl::Context* const ctx = surface ? context_drawing_to(*surface) : nullptr;
+    if (!ctx) return egl::fail(EGL_BAD_SURFACE);
+    xcb_connection_t* const xcb = display->connection.xcb;
     const auto id = static_cast<xcb_drawable_t>(pixmap);
-    const auto geometry = display->connection.xcb ? x11::geometry(display->connection.xcb, id) : std::nullopt;
-    if (!geometry || !surface->config->visual) return egl::fail(EGL_BAD_NATIVE_PIXMAP);
+    const auto geometry = xcb ? x11::geometry(xcb, id) : std::nullopt;
+    if (!geometry || !surface->config->visual || x11::window_visual(xcb, id) != 0)
+        return egl::fail(EGL_BAD_NATIVE_PIXMAP);
     const x11::Visual& visual = *surface->config->visual;
     const gl::Drawable& buffers = *surface->buffers;
     if (geometry->depth != visual.image.depth || geometry->width != buffers.width() ||
         geometry->height != buffers.height())
         return egl::fail(EGL_BAD_MATCH);
-    if (gl::Context* const ctx = context_drawing_to(*surface)) gl::finish(*ctx);
-    x11::Image image(display->connection.xcb, display->connection.may_share, visual.image, buffers.width(),
-                     buffers.height());
+    gl::finish(*ctx);
+    x11::Image image(xcb, display->connection.may_share, visual.image, buffers.width(), buffers.height());
     gl::copy_picture(*surface->buffers, gl::ColorBuffer::kBack, visual.layout,
                      image.data() + (buffers.height() - 1) * image.stride(), -image.stride());
-    const xcb_gcontext_t gc = xcb_generate_id(display->connection.xcb);
-    xcb_create_gc(display->connection.xcb, gc, id, 0, nullptr);
+    const xcb_gcontext_t gc = xcb_generate_id(xcb);
+    x11::quietly(xcb, xcb_create_gc_checked(xcb, gc, id, 0, nullptr));
     image.put(id, gc, 0, 0, buffers.width(), buffers.height());
-    xcb_free_gc(display->connection.xcb, gc);
-    x11::geometry(display->connection.xcb, id);  // the server has read the image when it answers
+    x11::quietly(xcb, xcb_free_gc_checked(xcb, gc));
+    x11::geometry(xcb, id);  // the server has read the image when it answers
     egl::set_error(EGL_SUCCESS);
     return EGL_TRUE;
 } catch (const std::exception&) {

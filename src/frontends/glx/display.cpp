@@ -13,6 +13,15 @@
 
 namespace terrazzo::glx {
 
+namespace {
+
+// Xlib finds out about a server that has gone when it is asked something, and calls the program's handler.
+void ask_xlib(void* display) {
+    XSync(static_cast<::Display*>(display), False);
+}
+
+}  // namespace
+
 Registry& registry() {
     // Never destroyed: programs call GLX from their own destructors.
     static Registry& the_registry = *new Registry;
@@ -25,6 +34,8 @@ std::shared_ptr<DisplayState> Registry::display(::Display* display) {
     auto state = std::make_shared<DisplayState>();
     state->display = display;
     state->connection = x11::inspect(XGetXCBConnection(display));
+    state->connection.lost = ask_xlib;
+    state->connection.owner = display;
     int first_id = 1;
     for (std::size_t s = 0; s < state->connection.screens.size(); ++s) {
         state->configs.push_back(make_configs(state->connection.screens[s], static_cast<int>(s), first_id));

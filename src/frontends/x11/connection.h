@@ -34,6 +34,13 @@ struct Connection {
     xcb_connection_t* xcb = nullptr;
     bool may_share = false;
     std::vector<Screen> screens;
+    // What happens to a program whose server has gone, when it shows a picture; `owner` is the argument. Need
+    // not return. Null where the program looks after the connection itself, as xcb's do.
+    void (*lost)(void* owner) = nullptr;
+    void* owner = nullptr;
+
+    // Of a connection that is not null: whether its server has gone.
+    bool is_lost() const { return xcb_connection_has_error(xcb) != 0; }
 };
 
 // Asks the server once. `connection` must outlive the answer.

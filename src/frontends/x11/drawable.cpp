@@ -14,7 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "frontends/window/refresh.h"
 #include "frontends/window/watch.h"
+#include "frontends/x11/reply.h"
 #include "gl/context.h"
 #include "gl/limits.h"
 #include "gl/surface.h"
@@ -57,7 +59,8 @@ ServerDrawable::ServerDrawable(const Connection& connection, xcb_drawable_t id, 
       m_format(format),
       m_gc(xcb_generate_id(connection.xcb)) {
     const std::uint32_t no_exposures = 0;
-    xcb_create_gc(connection.xcb, m_gc, id, XCB_GC_GRAPHICS_EXPOSURES, &no_exposures);
+    quietly(connection.xcb,
+            xcb_create_gc_checked(connection.xcb, m_gc, id, XCB_GC_GRAPHICS_EXPOSURES, &no_exposures));
     resize(geometry.width, geometry.height);
     window::is_watched();  // a watcher is told of everything that is drawn here, so find it before
 }
@@ -65,7 +68,7 @@ ServerDrawable::ServerDrawable(const Connection& connection, xcb_drawable_t id, 
 ServerDrawable::~ServerDrawable() {
     if (!m_connection.xcb) return;
     if (m_asked) xcb_discard_reply(m_connection.xcb, m_asked->sequence);
-    xcb_free_gc(m_connection.xcb, m_gc);
+    quietly(m_connection.xcb, xcb_free_gc_checked(m_connection.xcb, m_gc));
 }
 
 void ServerDrawable::abandon() {
@@ -82,14 +85,22 @@ void ServerDrawable::resize(int width, int height) {
     if (width == this->width() && height == this->height()) return;
     allocate(width, height, m_format.target);
     m_image.reset();
-    m_age = 0;
+    m_back_frame = m_front_frame = 0;
 }
 
 std::optional<Geometry> ServerDrawable::take_answer() {
     if (!m_asked) return {};
     const auto answer = geometry_answer(m_connection.xcb, *m_asked);
     m_asked.reset();
+    m_is_gone = !answer;
     return answer;
+}
+
+// Called when a picture has been shown and nothing is left to be done for it.
+void ServerDrawable::mind_who_sees() {
+    if (!is_gone()) return;
+    if (m_connection.is_lost() && m_connection.lost) m_connection.lost(m_connection.owner);
+    window::wait_for_msc(window::msc_at(window::current_ust()) + 1, 0, 0);
 }
 
 // Programs give their windows a size, map and move them around the first pictures: these are worth waiting
@@ -107,6 +118,7 @@ void ServerDrawable::follow_answer() {
         m_asked.reset();
         if (const auto* known = static_cast<xcb_get_geometry_reply_t*>(reply))
             answer = Geometry{known->width, known->height, known->depth};
+        m_is_gone = !answer;
         std::free(reply);
         std::free(error);
     }
@@ -118,8 +130,9 @@ void ServerDrawable::follow_window(gl::Follow when) {
     if (!m_connection.xcb || (m_followed && when == gl::Follow::kOncePerPicture)) return;
     m_followed = true;
     take_answer();
-    // Without an answer the drawable is gone: we go on drawing for nobody.
-    if (const auto now = geometry(m_connection.xcb, m_id)) resize(now->width, now->height);
+    const auto now = geometry(m_connection.xcb, m_id);
+    m_is_gone = !now;
+    if (now) resize(now->width, now->height);
 }
 
 Image& ServerDrawable::image() {
@@ -168,23 +181,30 @@ void ServerDrawable::swap(gl::Context* ctx) {
     swap_pixels();
     if (ctx) gl::picture_was_shown(*ctx, *this);
     ++m_swaps;
-    m_age = has_front_pixels() ? (m_age == 0 ? 0 : 2) : 1;
+    m_back_frame = has_front_pixels() ? std::exchange(m_front_frame, m_swaps) : m_swaps;
     if (answer) resize(answer->width, answer->height);
+    mind_who_sees();
 }
 
 void ServerDrawable::copy_part(gl::Context* ctx, int x, int y, int width, int height) {
     if (!m_connection.xcb || !is_double_buffered()) return;
-    const int left = std::max(x, 0), right = std::min(x + width, this->width());
-    const int bottom = std::max(y, 0), top = std::min(y + height, this->height());
+    const auto end = [](int begin, int size, int limit) {
+        return static_cast<int>(
+            std::min(static_cast<long long>(begin) + size, static_cast<long long>(limit)));
+    };
+    const int left = std::max(x, 0), right = end(x, width, this->width());
+    const int bottom = std::max(y, 0), top = end(y, height, this->height());
     if (left >= right || bottom >= top) return;
     copy_to_image(ctx, gl::ColorBuffer::kBack);
     put(left, this->height() - top, right - left, top - bottom);
+    mind_who_sees();
 }
 
 void ServerDrawable::show_front(gl::Context& ctx) {
     if (!m_connection.xcb) return;
     copy_to_image(&ctx, gl::ColorBuffer::kFront);
     show(0, 0, width(), height());
+    mind_who_sees();
 }
 
 Image* ServerDrawable::read_server() {
@@ -194,6 +214,7 @@ Image* ServerDrawable::read_server() {
 
 void ServerDrawable::load_front() {
     Image* const shown = read_server();
+    m_front_frame = shown ? m_swaps : 0;
     if (!shown) return;
     gl::load_picture(*this, m_format.visual.layout, shown->data(), shown->stride());
 }

@@ -3,6 +3,9 @@
 // Pictures are drawn in our memory; a swap, or a flush of the front buffer, copies them to the server. The
 // size of a window is asked for with every picture that is shown and is there when the next one is: following
 // it costs no wait.
+//
+// Where the server or the drawable has gone, pictures are drawn for nobody. The owner of the connection is
+// told (Xlib ends the program, as a rule); a program that goes on is held to the beat of a display.
 #pragma once
 
 #include <optional>
@@ -32,7 +35,7 @@ class ServerDrawable : public gl::Drawable {
 
     // Shows the back buffer; does nothing without one. `ctx` is the context whose drawing is to be finished
     // first, or null. Follows the drawable's size; contexts that draw here must then call
-    // gl::follow_drawables. Throws std::bad_alloc.
+    // gl::follow_drawables. Throws std::bad_alloc. When the server has gone it may not return.
     void swap(gl::Context* ctx);
     // Shows a part of the back buffer, in GL's window coordinates (GLX_MESA_copy_sub_buffer). Throws
     // std::bad_alloc.
@@ -41,7 +44,9 @@ class ServerDrawable : public gl::Drawable {
     // std::bad_alloc.
     void follow_window(gl::Follow when) override;
     // How many swaps ago the back buffer's pixels were drawn; 0: they are undefined (EGL_EXT_buffer_age).
-    int buffer_age() const { return m_age; }
+    long long buffer_age() const { return m_back_frame == 0 ? 0 : m_swaps - m_back_frame + 1; }
+    // Whether it is known that the server, or the drawable in it, has gone. Waits for nothing.
+    bool is_gone() const { return m_connection.xcb && (m_is_gone || m_connection.is_lost()); }
     // Swaps so far.
     long long swap_count() const { return m_swaps; }
 
@@ -63,6 +68,7 @@ class ServerDrawable : public gl::Drawable {
     void put(int x, int y, int width, int height);
     void show(int x, int y, int width, int height);
     std::optional<Geometry> take_answer();
+    void mind_who_sees();
     void follow_answer();
     void resize(int width, int height);
 
@@ -73,8 +79,10 @@ class ServerDrawable : public gl::Drawable {
     std::optional<Image> m_image;
     std::optional<xcb_get_geometry_cookie_t> m_asked;
     bool m_followed = true;  // since the last picture was shown
-    int m_age = 0;
+    bool m_is_gone = false;  // the server knows no drawable of this name any more
     long long m_swaps = 0;
+    // The swap that showed the pixels of the back and of the front buffer; 0: none did, they are undefined.
+    long long m_back_frame = 0, m_front_frame = 0;
 };
 
 }  // namespace terrazzo::x11

@@ -23,7 +23,7 @@ Image::Image(xcb_connection_t* connection, bool may_share, const ImageFormat& fo
 
 Image::~Image() {
     if (!is_shared()) return;
-    xcb_shm_detach(m_connection, m_segment);
+    quietly(m_connection, xcb_shm_detach_checked(m_connection, m_segment));
     xcb_flush(m_connection);
     shmdt(m_data);
 }
@@ -54,24 +54,37 @@ bool Image::share() {
 
 void Image::put(xcb_drawable_t drawable, xcb_gcontext_t gc, int x, int y, int width, int height) {
     if (is_shared()) {
-        xcb_shm_put_image(m_connection, drawable, gc, static_cast<std::uint16_t>(m_width),
-                          static_cast<std::uint16_t>(m_height), static_cast<std::int16_t>(x),
-                          static_cast<std::int16_t>(y), static_cast<std::uint16_t>(width),
-                          static_cast<std::uint16_t>(height), static_cast<std::int16_t>(x),
-                          static_cast<std::int16_t>(y), m_format.depth, XCB_IMAGE_FORMAT_Z_PIXMAP, 0,
-                          m_segment, 0);
+        quietly(m_connection,
+                xcb_shm_put_image_checked(m_connection, drawable, gc, static_cast<std::uint16_t>(m_width),
+                                          static_cast<std::uint16_t>(m_height), static_cast<std::int16_t>(x),
+                                          static_cast<std::int16_t>(y), static_cast<std::uint16_t>(width),
+                                          static_cast<std::uint16_t>(height), static_cast<std::int16_t>(x),
+                                          static_cast<std::int16_t>(y), m_format.depth,
+                                          XCB_IMAGE_FORMAT_Z_PIXMAP, 0, m_segment, 0));
     } else {
-        // Whole rows, as many as a request holds.
+        // Whole rows, as many as a request holds; the server leaves out what lies beside the rectangle.
+        const bool is_part = x > 0 || width < m_width;
+        if (is_part) {
+            const xcb_rectangle_t inside{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
+                                         static_cast<std::uint16_t>(width),
+                                         static_cast<std::uint16_t>(height)};
+            quietly(m_connection, xcb_set_clip_rectangles_checked(m_connection, XCB_CLIP_ORDERING_UNSORTED,
+                                                                  gc, 0, 0, 1, &inside));
+        }
         const std::ptrdiff_t longest = std::ptrdiff_t{4} * xcb_get_maximum_request_length(m_connection) - 64;
         const int rows = static_cast<int>(std::max<std::ptrdiff_t>(longest / m_stride, 1));
         for (int first = y; first < y + height; first += rows) {
             const int count = std::min(rows, y + height - first);
-            xcb_put_image(m_connection, XCB_IMAGE_FORMAT_Z_PIXMAP, drawable, gc,
-                          static_cast<std::uint16_t>(m_width), static_cast<std::uint16_t>(count), 0,
-                          static_cast<std::int16_t>(first), 0, m_format.depth,
-                          static_cast<std::uint32_t>(m_stride * count),
-                          reinterpret_cast<const std::uint8_t*>(m_data + first * m_stride));
+            quietly(m_connection, xcb_put_image_checked(
+                                      m_connection, XCB_IMAGE_FORMAT_Z_PIXMAP, drawable, gc,
+                                      static_cast<std::uint16_t>(m_width), static_cast<std::uint16_t>(count),
+                                      0, static_cast<std::int16_t>(first), 0, m_format.depth,
+                                      static_cast<std::uint32_t>(m_stride * count),
+                                      reinterpret_cast<const std::uint8_t*>(m_data + first * m_stride)));
         }
+        const std::uint32_t everything = XCB_NONE;
+        if (is_part)
+            quietly(m_connection, xcb_change_gc_checked(m_connection, gc, XCB_GC_CLIP_MASK, &everything));
     }
     xcb_flush(m_connection);
 }

@@ -37,7 +37,8 @@ class Image {
     std::byte* data() { return m_data; }
     bool is_shared() const { return m_segment != XCB_NONE; }
 
-    // Has the server copy a rectangle of the image to the same place of the drawable.
+    // Has the server copy a rectangle of the image to the same place of the drawable. `gc` is one without a
+    // clip mask.
     void put(xcb_drawable_t drawable, xcb_gcontext_t gc, int x, int y, int width, int height);
     // Copies the drawable, whose size is at least the image's, into the image. False if it cannot be read: it
     // is gone, or a window that is not on the screen. Waits for the server.
