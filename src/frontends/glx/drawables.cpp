@@ -7,7 +7,6 @@
 #undef max
 
 #include <algorithm>
-#include <cstdlib>
 #include <exception>
 #include <optional>
 
@@ -195,7 +194,7 @@ void swap_pbuffer(gl::Context* ctx, gl::Drawable& buffers) {
 
 void wait_for_interval(glx::Drawable& drawable) {
     if (drawable.swap_interval == 0) return;
-    drawable.last_msc = window::wait_for_msc(drawable.last_msc + std::abs(drawable.swap_interval), 0, 0);
+    drawable.last_msc = window::wait_for_msc(drawable.last_msc + drawable.swap_interval, 0, 0);
 }
 
 }  // namespace

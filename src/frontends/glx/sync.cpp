@@ -3,6 +3,7 @@
 #include <GL/glx.h>
 
 #include "frontends/glx/display.h"
+#include "frontends/glx/protocol.h"
 #include "frontends/window/refresh.h"
 
 namespace glx = terrazzo::glx;
@@ -29,7 +30,12 @@ std::int64_t swap_count(const glx::Drawable& drawable) {
 }  // namespace
 
 void glXSwapIntervalEXT(Display* display, GLXDrawable name, int interval) {
-    if (const auto drawable = glx::find_drawable(display, name)) set_interval(*drawable, interval);
+    const auto drawable = glx::find_drawable(display, name);
+    if (!drawable) return glx::send_error(display, BadWindow, false, name, X_GLXVendorPrivate);
+    // Below zero: GLX_EXT_swap_control_tear, which is not there.
+    if (interval < 0)
+        return glx::send_error(display, BadValue, false, static_cast<XID>(interval), X_GLXVendorPrivate);
+    set_interval(*drawable, interval);
 }
 
 int glXSwapIntervalSGI(int interval) {

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "frontends/glx/display.h"
+#include "frontends/glx/own_pixels.h"
 #include "frontends/glx/protocol.h"
+#include "gl/generated/dispatch.h"
 
 namespace gl = terrazzo::gl;
 namespace glx = terrazzo::glx;
@@ -39,7 +41,8 @@ void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const in
         return fail(GLXBadPixmap, true);
     if (buffer < GLX_FRONT_LEFT_EXT || buffer > GLX_AUX9_EXT) return fail(BadValue, false);
     if (drawable->texture_format == GLX_TEXTURE_FORMAT_NONE_EXT) return fail(BadMatch, false);
-    if (!glx::current_context()) return;
+    const auto context = glx::current_context();
+    if (!context) return;
     drawable->server->follow_window(gl::Follow::kOncePerPicture);
     x11::Image* const image = drawable->server->read_server();
     if (!image) return fail(BadDrawable, false);
@@ -52,19 +55,16 @@ void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const in
                               : GL_RGBA;
     const GLenum type = is_565 ? GL_UNSIGNED_SHORT_5_6_5 : GL_UNSIGNED_BYTE;
     const GLint internal = drawable->texture_format == GLX_TEXTURE_FORMAT_RGBA_EXT ? GL_RGBA : GL_RGB;
-    glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
-    glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const glx::OwnPixels own(*context->gl);
+    // Not through the program's list, if it is compiling one.
+    const gl::Dispatch& commands = *context->gl->dispatch.execute;
     if (drawable->texture_target == GLX_TEXTURE_1D_EXT) {
-        glTexImage1D(GL_TEXTURE_1D, 0, internal, image->width(), 0, format, type, rows.data());
+        commands.TexImage1D(context->gl.get(), GL_TEXTURE_1D, 0, internal, image->width(), 0, format, type,
+                            rows.data());
     } else {
-        glTexImage2D(GL_TEXTURE_2D, 0, internal, image->width(), image->height(), 0, format, type,
-                     rows.data());
+        commands.TexImage2D(context->gl.get(), GL_TEXTURE_2D, 0, internal, image->width(), image->height(), 0,
+                            format, type, rows.data());
     }
-    glPopClientAttrib();
 } catch (const std::exception&) {
     glx::send_error(display, BadAlloc, false, name, X_GLXVendorPrivate);
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "frontends/glx/display.h"
+#include "frontends/glx/own_pixels.h"
 #include "frontends/glx/protocol.h"
 
 namespace glx = terrazzo::glx;
@@ -109,18 +110,11 @@ void glXUseXFont(Font font, int first, int count, int list_base) try {
     const std::unique_ptr<XFontStruct, FreeFont> known(XQueryFont(display, font));
     if (!known) return glx::send_error(display, BadFont, false, font, X_GLXUseXFont);
     FontReader reader(display, *known, font);
-    glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
-    glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
-    glPixelStorei(GL_UNPACK_LSB_FIRST, GL_FALSE);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const glx::OwnPixels own(*context->gl);
     for (int i = 0; i < count; ++i) {
         const auto code = static_cast<unsigned>(first + i);
         define_list(reader, code, metrics(*known, code), static_cast<GLuint>(list_base + i));
     }
-    glPopClientAttrib();
 } catch (const std::bad_alloc&) {
     if (const auto context = glx::current_context(); context && context->display->display)
         glx::send_error(context->display->display, BadAlloc, false, font, X_GLXUseXFont);
