@@ -12,8 +12,9 @@ namespace terrazzo {
 
 nlohmann::json draw_task(const nlohmann::json& arguments);
 
-// JSON {library, names (a file of a packed list)}: strings, limits, and which GL 1.0-1.5 commands and which
-// of the names OSMesaGetProcAddress answers NULL for.
+// JSON {library, names (a file, packed: {core: [name...], extensions: {extension: [name...]}, exported: [name...]})}:
+// strings, limits, and for how many of each it was asked and which OSMesaGetProcAddress answers NULL for. Of extensions
+// only those count that GL_EXTENSIONS names.
 nlohmann::json info_task(const nlohmann::json& arguments);
 
 }  // namespace terrazzo

@@ -1,5 +1,7 @@
 // Stage: child side of the info command: what a library says about itself, and which names it answers for.
-#include <cstring>
+#include <map>
+#include <sstream>
+#include <string>
 
 #include "draw_task.h"
 #include "kit/offscreen.h"
@@ -61,28 +63,51 @@ nlohmann::json limits(const kit::OffscreenContext& context) {
     return result;
 }
 
+// What OSMesaGetProcAddress says to the names it is asked for.
+class Answers {
+  public:
+    explicit Answers(const kit::Library& library) : m_library(library) {}
+
+    void ask(const nlohmann::json& names) {
+        for (const auto& name : names) {
+            const auto [place, is_new] = m_known.emplace(name.get<std::string>(), false);
+            if (is_new) place->second = m_library.osmesa.GetProcAddress(place->first.c_str()) != nullptr;
+        }
+    }
+    nlohmann::json result() const {
+        nlohmann::json missing = nlohmann::json::array();
+        for (const auto& [name, is_known] : m_known)
+            if (!is_known) missing.push_back(name);
+        return {{"asked", m_known.size()}, {"missing", missing}};
+    }
+
+  private:
+    const kit::Library& m_library;
+    std::map<std::string, bool> m_known;
+};
+
 }  // namespace
 
 nlohmann::json info_task(const nlohmann::json& arguments) {
     const kit::Library library(arguments.at("library").get<std::string>());
     const kit::OffscreenContext context(library, {});
     const kit::Gl& gl = library.gl;
-    nlohmann::json missing = nlohmann::json::array();
-    if (arguments.contains("names"))
-        for (const auto& name :
-             nlohmann::json::from_cbor(kit::read_bytes(arguments["names"].get<std::string>())))
-            if (!library.osmesa.GetProcAddress(name.get<std::string>().c_str())) missing.push_back(name);
-    nlohmann::json commands = nlohmann::json::array();
-    for (const kit::GlCommand& command : kit::kGlCommands)
-        if (!library.osmesa.GetProcAddress(command.name)) commands.push_back(command.name);
+    const nlohmann::json names =
+        nlohmann::json::from_cbor(kit::read_bytes(arguments.at("names").get<std::string>()));
+    Answers core(library), extensions(library), exported(library);
+    core.ask(names.at("core"));
+    exported.ask(names.at("exported"));
+    std::istringstream named(text(gl.GetString(GL_EXTENSIONS)));
+    for (std::string extension; named >> extension;)
+        if (names["extensions"].contains(extension)) extensions.ask(names["extensions"][extension]);
     return {{"vendor", text(gl.GetString(GL_VENDOR))},
             {"renderer", text(gl.GetString(GL_RENDERER))},
             {"version", text(gl.GetString(GL_VERSION))},
             {"extensions", text(gl.GetString(GL_EXTENSIONS))},
             {"limits", limits(context)},
-            {"commands", std::size(kit::kGlCommands)},
-            {"missing_commands", commands},
-            {"missing_names", missing},
+            {"core", core.result()},
+            {"of_extensions", extensions.result()},
+            {"exported", exported.result()},
             {"not_exported", library.missing}};
 }
 

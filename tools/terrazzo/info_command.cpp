@@ -10,6 +10,7 @@
 #include "kit/shared_bytes.h"
 #include "osmesa_exports.h"
 #include "places.h"
+#include "registry_names.h"
 
 namespace terrazzo {
 namespace {
@@ -17,13 +18,17 @@ namespace {
 struct Options {
     std::string library = "terrazzo";
     bool missing = false;
+    bool later = false;
 };
 
-// What the system's library exports and OSMesaGetProcAddress can be asked for: the GL commands.
-nlohmann::json exported_commands() {
-    nlohmann::json names = nlohmann::json::array();
+// The commands to ask for: of OpenGL 1.0-1.5, of extensions, and all that the system's library exports.
+nlohmann::json commands_by_origin() {
+    nlohmann::json names = {{"core", nlohmann::json::array()}, {"exported", nlohmann::json::array()}};
+    for (const char* name : kCoreCommands) names["core"].push_back(name);
+    for (const ExtensionCommand& known : kExtensionCommands)
+        names["extensions"][known.extension].push_back(known.command);
     for (const std::string_view name : kOsmesaExports)
-        if (name.starts_with("gl")) names.push_back(name);
+        if (name.starts_with("gl")) names["exported"].push_back(name);
     return names;
 }
 
@@ -37,10 +42,22 @@ void print_info(const nlohmann::json& info, const std::string& path) {
         for (const auto& value : limit["values"]) values += fmt::format(" {:g}", value.get<double>());
         fmt::print("{:<34}{}\n", limit["name"].get<std::string>(), values);
     }
-    fmt::print("GL 1.0-1.5 commands not implemented: {} of {}\n", info["missing_commands"].size(),
-               info["commands"].get<int>());
-    fmt::print("names of the system's libOSMesa not implemented: {} (--missing lists them)\n",
-               info["missing_names"].size());
+    const auto print_count = [&](const char* what, const char* key, const char* hint) {
+        fmt::print("{} not implemented: {} of {} ({} lists them)\n", what, info[key]["missing"].size(),
+                   info[key]["asked"].get<int>(), hint);
+    };
+    print_count("commands of OpenGL 1.0-1.5", "core", "--missing");
+    print_count("commands of these extensions", "of_extensions", "--missing");
+    print_count("commands of the system's libOSMesa", "exported", "--missing --later");
+}
+
+void print_missing(const nlohmann::json& info, bool later) {
+    std::set<std::string> missing;
+    for (const char* key : {"core", "of_extensions", "exported"}) {
+        if (!later && std::string_view(key) == "exported") continue;
+        for (const auto& name : info[key]["missing"]) missing.insert(name.get<std::string>());
+    }
+    for (const std::string& name : missing) fmt::print("{}\n", name);
 }
 
 void run(const Options& options) {
@@ -50,18 +67,15 @@ void run(const Options& options) {
     request.task = "info";
 
     // Through memory: the list is longer than one command-line argument may be.
-    const kit::SharedBytes names(nlohmann::json::to_cbor(exported_commands()));
+    const kit::SharedBytes names(nlohmann::json::to_cbor(commands_by_origin()));
     request.arguments = {{"library", library.path}, {"names", names.path()}};
     const kit::ChildReport report = kit::run_in_child(request);
     if (!report.finished()) throw std::runtime_error(report.message);
-    if (!options.missing) {
+    if (options.missing) {
+        print_missing(report.result, options.later);
+    } else {
         print_info(report.result, library.path);
-        return;
     }
-    std::set<std::string> missing;
-    for (const char* key : {"missing_commands", "missing_names"})
-        for (const auto& name : report.result[key]) missing.insert(name.get<std::string>());
-    for (const std::string& name : missing) fmt::print("{}\n", name);
 }
 
 }  // namespace
@@ -71,8 +85,14 @@ void add_info_command(CLI::App& app) {
     auto options = std::make_shared<Options>();
     command->add_option("-l,--library", options->library, "PATH, or the words terrazzo and osmesa")
         ->capture_default_str();
-    command->add_flag("--missing", options->missing,
-                      "List the names for which OSMesaGetProcAddress answers NULL");
+    CLI::Option* const missing =
+        command->add_flag("--missing", options->missing,
+                          "List the commands of OpenGL 1.0-1.5, and of the extensions that the library "
+                          "names, that it does not have");
+    command
+        ->add_flag("--later", options->later,
+                   "And those of later versions and other extensions that the system's libOSMesa has")
+        ->needs(missing);
     command->callback([options] { run(*options); });
 }
 
