@@ -63,6 +63,47 @@ TEST_F(OsmesaContexts, APictureIsTheRightWayUp) {
     EXPECT_NE(pixel(0, 0), kRed);
 }
 
+// Whether OSMesaGetDepthBuffer answers with this size, and with this depth, of 0 to 1, everywhere.
+void expect_depth(OSMesaContext context, GLint width, GLint height, GLint bytes, double depth) {
+    GLint found_width = 0, found_height = 0, found_bytes = 0;
+    void* buffer = nullptr;
+    ASSERT_TRUE(OSMesaGetDepthBuffer(context, &found_width, &found_height, &found_bytes, &buffer));
+    EXPECT_EQ(found_width, width);
+    EXPECT_EQ(found_height, height);
+    ASSERT_EQ(found_bytes, bytes);
+    for (GLint i = 0; i < width * height; ++i) {
+        GLuint value = 0;
+        std::memcpy(&value, static_cast<const GLubyte*>(buffer) + i * bytes, static_cast<std::size_t>(bytes));
+        const double most = bytes == 2 ? 65535 : 16777215;
+        ASSERT_NEAR((bytes == 2 ? value : value & 0xffffff) / most, depth, 2 / most) << i;
+    }
+}
+
+TEST_F(OsmesaContexts, TheDepthBufferFollowsTheSize) {
+    for (const GLint bits : {24, 16}) {
+        const GLint bytes = bits == 16 ? 2 : 4;
+        const ContextPointer context(OSMesaCreateContextExt(OSMESA_RGBA, bits, 0, 0, nullptr));
+        const struct {
+            GLint width, height;
+            double depth;
+        } sizes[] = {{60, 50, 0.25}, {33, 20, 0.75}, {20, 33, 0.5}, {70, 70, 0.125}, {1, 1, 1}, {70, 1, 0.25}};
+        for (const auto& [width, height, depth] : sizes) {
+            ASSERT_TRUE(OSMesaMakeCurrent(context.get(), m_pixels.data(), GL_UNSIGNED_BYTE, width, height));
+            glClearDepth(depth);
+            glClear(GL_DEPTH_BUFFER_BIT);
+            expect_depth(context.get(), width, height, bytes, depth);
+            // Once asked for it follows each picture.
+            glClearDepth(depth / 2);
+            glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+            glFinish();
+            expect_depth(context.get(), width, height, bytes, depth / 2);
+        }
+        // The same size again: what was drawn is still there.
+        ASSERT_TRUE(OSMesaMakeCurrent(context.get(), m_pixels.data(), GL_UNSIGNED_BYTE, 70, 1));
+        expect_depth(context.get(), 70, 1, bytes, 0.125);
+    }
+}
+
 TEST_F(OsmesaContexts, TheDepthBufferHasWhatIsQueuedToo) {
     const auto context = make_context();
     ASSERT_TRUE(make_current(context));
