@@ -1,4 +1,5 @@
-// The frame of every generated thunk: nothing thrown by a command reaches the caller.
+// The frame of every generated thunk: nothing thrown by a command reaches the caller, and nothing in it
+// traps.
 //
 // All that is thrown is lack of memory: std::bad_alloc, and what the standard library throws where a
 // container or a lock cannot be had. It becomes GL_OUT_OF_MEMORY (GL 1.5 §2.5); commands give the strong
@@ -14,6 +15,7 @@
 #include "gl/current.h"
 #include "gl/debug_log.h"
 #include "gl/generated/dispatch.h"
+#include "simd/traps.h"
 
 namespace terrazzo::gl {
 
@@ -22,6 +24,7 @@ using Function = Result (*)(Context*, Arguments...);
 
 template <typename Body>
 auto guarded(Context& ctx, Body body) noexcept -> decltype(body()) {
+    const WithoutTraps without_traps;
     try {
         return body();
     } catch (const std::exception&) {

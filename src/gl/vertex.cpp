@@ -7,6 +7,7 @@
 #include "gl/draw.h"
 #include "gl/generated/commands.h"
 #include "gl/vertex_inline.h"
+#include "simd/traps.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -168,6 +169,7 @@ void add_run(std::vector<PrimitiveRun>& runs, const PrimitiveRun& run) {
 
 void flush_vertices(Context& ctx) {
     if (ctx.vertex.batch.count == 0 || ctx.vertex.open) return;
+    const WithoutTraps without_traps;
     struct Cleanup {
         VertexState& vertex;
         ~Cleanup() { clear_batch(vertex); }

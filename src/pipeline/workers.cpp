@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "simd/environment.h"
+#include "simd/traps.h"
 
 namespace terrazzo::pipeline {
 
@@ -68,6 +69,7 @@ void Pool::run(int threads, int count, const std::function<void(int)>& work) {
 }
 
 void Pool::serve() {
+    const WithoutTraps without_traps;  // threads begin with those of the one that starts them
     std::unique_lock lock(m_mutex);
     for (;;) {
         m_wake.wait(lock, [this] {
@@ -134,6 +136,7 @@ int thread_count() {
 }
 
 void run_parallel(int count, const std::function<void(int)>& work) {
+    const WithoutTraps without_traps;
     const int threads = std::min(thread_count(), count);
     if (threads <= 1) {
         for (int i = 0; i < count; ++i) work(i);
