@@ -18,6 +18,7 @@
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <new>
 
 extern char** environ;
 
@@ -171,6 +172,8 @@ nlohmann::json answer_of(const std::vector<NamedTask>& tasks, const char* name, 
         if (std::strcmp(task.name, name) != 0) continue;
         try {
             return {{"result", task.task(nlohmann::json::parse(arguments))}};
+        } catch (const std::bad_alloc&) {
+            return {{"refused", "there is not enough memory"}};
         } catch (const std::exception& failure) {
             return {{"refused", failure.what()}};
         }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 namespace terrazzo::report {
@@ -91,9 +93,34 @@ ImageBuf contact_sheet(const std::vector<ImageBuf>& pictures, int columns, int c
     return sheet;
 }
 
+void check_picture_path(const std::string& path) {
+    if (!OIIO::ImageOutput::create(path)) {
+        OIIO::geterror();  // names every plug-in that was looked for
+        throw std::runtime_error("cannot write " + path + ": its name ends in no known picture format");
+    }
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+        throw std::runtime_error("cannot write " + path + ": there is no folder " + folder.string());
+    if (std::filesystem::is_directory(path, error))
+        throw std::runtime_error("cannot write " + path + ": it is a folder");
+}
+
+// A full disk is noticed by the stream; OpenImageIO's own files do not look.
 void write_picture(const ImageBuf& picture, const std::string& path) {
     const ImageBuf flat = without_alpha(picture);
-    if (!flat.write(path)) throw std::runtime_error(flat.geterror());
+    const auto output = OIIO::ImageOutput::create(path);
+    if (!output) throw std::runtime_error("cannot write " + path + ": " + OIIO::geterror());
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput target(bytes);
+    const bool through_memory = output->supports("ioproxy") && output->set_ioproxy(&target);
+    if (!output->open(path, flat.spec()) || !flat.write(output.get()) || !output->close())
+        throw std::runtime_error("cannot write " + path + ": " + output->geterror() + flat.geterror());
+    if (!through_memory) return;
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) throw std::runtime_error("cannot write " + path);
 }
 
 }  // namespace terrazzo::report

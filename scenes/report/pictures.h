@@ -24,6 +24,8 @@ std::string png_data_uri(const OIIO::ImageBuf& picture, int largest = 1 << 14);
 // A grid of equal cells with a margin between them.
 OIIO::ImageBuf contact_sheet(const std::vector<OIIO::ImageBuf>& pictures, int columns, int cell);
 
+// Throws std::runtime_error, in words, when no picture can be written there: by its format or its folder.
+void check_picture_path(const std::string& path);
 void write_picture(const OIIO::ImageBuf& picture, const std::string& path);
 
 }  // namespace terrazzo::report
