@@ -25,7 +25,8 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 
 std::unique_ptr<kit::Drawing> create_drawing(const nlohmann::json& arguments) {
     if (arguments.contains("model"))
-        return gltf::create_drawing(gltf::unpack(kit::read_bytes(arguments.at("model").get<std::string>())));
+        return gltf::create_drawing(gltf::unpack(kit::read_bytes(arguments.at("model").get<std::string>())),
+                                    arguments.value("camera", -1));
     const auto name = arguments.at("scene").get<std::string>();
     auto drawing = study::create_scene(name);
     if (!drawing) throw std::runtime_error("no scene is called " + name);
@@ -108,6 +109,8 @@ nlohmann::json draw_task(const nlohmann::json& arguments) {
     result["version"] = gl_string(gl, GL_VERSION);
     result["errors"] = nlohmann::json::array();
     for (const GLenum error : context.take_errors()) result["errors"].push_back(kit::error_name(error));
+    if (arguments.value("picture", false))
+        result["colour"] = binary(context.colour_buffer().data(), context.colour_buffer().size());
     if (arguments.value("planes", false)) {
         const auto depth = context.read_depth();
         const auto stencil = context.read_stencil();

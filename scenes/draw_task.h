@@ -1,9 +1,10 @@
 // Stage: child side of the bench and demo commands: draws one scene with one library.
 // Input: JSON {library, scene, model (a file of packed bytes; then scene is only its name), width, height,
-// frame, seconds, animate, samples (of a pixel), planes}. Output: JSON {renderer, version,
-// first_frame_seconds, frames, median_frame_seconds, mean_frame_seconds, peak_resident_kib, errors} and, when
-// asked for, the binary planes colour (RGBA8), depth (u32 steps), stencil. Invariant: every frame ends with
-// glFinish, as an OSMesa client must to see its buffer.
+// frame, camera (of the model; -1: where all of it is seen), seconds, animate, samples (of a pixel), picture,
+// planes}. Output: JSON {renderer, version, first_frame_seconds, frames, median_frame_seconds,
+// mean_frame_seconds, peak_resident_kib, errors} and, when asked for, the binary planes colour (RGBA8; with
+// picture it alone), depth (u32 steps), stencil. Invariant: every frame ends with glFinish, as an OSMesa
+// client must to see its buffer.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -2,6 +2,8 @@
 // under comparison get the same arrays.
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <type_traits>
 
 #include "model.h"
 
@@ -10,8 +12,10 @@ namespace {
 
 using nlohmann::json;
 
+// Reader and writer are one build, so that a list of plain structs goes as it lies in memory.
 template <typename T>
 json blob(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(values.data());
     return json::binary({bytes, bytes + values.size() * sizeof(T)});
 }
@@ -32,7 +36,7 @@ void copy_array(const json& from, T (&to)[Count]) {
 json to_json(const Texture& texture) {
     json levels = json::array();
     for (const Level& level : texture.levels) levels.push_back({level.width, level.height, blob(level.rgba)});
-    return {{"levels", levels},
+    return {{"levels", std::move(levels)},
             {"sampler", {texture.wrap_s, texture.wrap_t, texture.mag_filter, texture.min_filter}}};
 }
 
@@ -48,72 +52,76 @@ Texture texture_of(const json& value) {
     return texture;
 }
 
-json to_json(const Material& material) {
-    return {{"diffuse", material.diffuse},   {"specular", material.specular},
-            {"emission", material.emission}, {"shininess", material.shininess},
-            {"texture", material.texture},   {"double_sided", material.double_sided},
-            {"blended", material.blended},   {"alpha_cutoff", material.alpha_cutoff}};
+json to_json(const Geometry& geometry) {
+    return {{"mode", geometry.mode},
+            {"positions", blob(geometry.positions)},
+            {"normals", blob(geometry.normals)},
+            {"base_coordinates", blob(geometry.base_coordinates)},
+            {"emissive_coordinates", blob(geometry.emissive_coordinates)},
+            {"colours", blob(geometry.colours)},
+            {"indices", blob(geometry.indices)}};
 }
 
-Material material_of(const json& value) {
-    Material material;
-    copy_array(value.at("diffuse"), material.diffuse);
-    copy_array(value.at("specular"), material.specular);
-    copy_array(value.at("emission"), material.emission);
-    material.shininess = value.at("shininess");
-    material.texture = value.at("texture");
-    material.double_sided = value.at("double_sided");
-    material.blended = value.at("blended");
-    material.alpha_cutoff = value.at("alpha_cutoff");
-    return material;
+Geometry geometry_of(const json& value) {
+    Geometry geometry;
+    geometry.mode = value.at("mode");
+    geometry.positions = unblob<float>(value.at("positions"));
+    geometry.normals = unblob<float>(value.at("normals"));
+    geometry.base_coordinates = unblob<float>(value.at("base_coordinates"));
+    geometry.emissive_coordinates = unblob<float>(value.at("emissive_coordinates"));
+    geometry.colours = unblob<float>(value.at("colours"));
+    geometry.indices = unblob<std::uint32_t>(value.at("indices"));
+    return geometry;
 }
 
-json to_json(const Part& part) {
-    return {{"mode", part.mode},
-            {"material", part.material},
-            {"matrix", part.matrix},
-            {"mirrored", part.mirrored},
-            {"positions", blob(part.positions)},
-            {"normals", blob(part.normals)},
-            {"textures", blob(part.textures)},
-            {"colours", blob(part.colours)},
-            {"indices", blob(part.indices)}};
+json to_json(const Camera& camera) {
+    return {{"name", camera.name},
+            {"view", camera.view},
+            {"perspective", camera.perspective},
+            {"field_of_view", camera.field_of_view},
+            {"half_size", camera.half_size},
+            {"planes", {camera.near_plane, camera.far_plane}}};
 }
 
-Part part_of(const json& value) {
-    Part part;
-    part.mode = value.at("mode");
-    part.material = value.at("material");
-    copy_array(value.at("matrix"), part.matrix);
-    part.mirrored = value.at("mirrored");
-    part.positions = unblob<float>(value.at("positions"));
-    part.normals = unblob<float>(value.at("normals"));
-    part.textures = unblob<float>(value.at("textures"));
-    part.colours = unblob<float>(value.at("colours"));
-    part.indices = unblob<std::uint32_t>(value.at("indices"));
-    return part;
+Camera camera_of(const json& value) {
+    Camera camera;
+    camera.name = value.at("name");
+    copy_array(value.at("view"), camera.view);
+    camera.perspective = value.at("perspective");
+    camera.field_of_view = value.at("field_of_view");
+    copy_array(value.at("half_size"), camera.half_size);
+    camera.near_plane = value.at("planes").at(0);
+    camera.far_plane = value.at("planes").at(1);
+    return camera;
+}
+
+template <typename T>
+json list_of(const std::vector<T>& values) {
+    json list = json::array();
+    for (const T& value : values) list.push_back(to_json(value));
+    return list;
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> pack(const Model& model) {
-    json value{{"textures", json::array()},
-               {"materials", json::array()},
-               {"parts", json::array()},
-               {"centre", model.centre},
-               {"radius", model.radius}};
-    for (const Texture& texture : model.textures) value["textures"].push_back(to_json(texture));
-    for (const Material& material : model.materials) value["materials"].push_back(to_json(material));
-    for (const Part& part : model.parts) value["parts"].push_back(to_json(part));
-    return json::to_cbor(value);
+    return json::to_cbor({{"textures", list_of(model.textures)},
+                          {"materials", blob(model.materials)},
+                          {"geometries", list_of(model.geometries)},
+                          {"parts", blob(model.parts)},
+                          {"cameras", list_of(model.cameras)},
+                          {"centre", model.centre},
+                          {"radius", model.radius}});
 }
 
 Model unpack(std::span<const std::uint8_t> bytes) {
     const json value = json::from_cbor(bytes.begin(), bytes.end());
     Model model;
     for (const json& texture : value.at("textures")) model.textures.push_back(texture_of(texture));
-    for (const json& material : value.at("materials")) model.materials.push_back(material_of(material));
-    for (const json& part : value.at("parts")) model.parts.push_back(part_of(part));
+    model.materials = unblob<Material>(value.at("materials"));
+    for (const json& geometry : value.at("geometries")) model.geometries.push_back(geometry_of(geometry));
+    model.parts = unblob<Part>(value.at("parts"));
+    for (const json& camera : value.at("cameras")) model.cameras.push_back(camera_of(camera));
     copy_array(value.at("centre"), model.centre);
     model.radius = value.at("radius");
     return model;

@@ -13,10 +13,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "gltf/load_model.h"
 #include "gltf/model_drawing.h"
 #include "kit/offscreen.h"
 #include "report/pictures.h"
+#include "scene_arguments.h"
 
 namespace terrazzo {
 namespace {
@@ -63,9 +63,10 @@ class Viewer {
     explicit Viewer(const ViewerOptions& options)
         : m_options(options),
           m_title(std::filesystem::path(options.model).stem().string()),
-          m_drawing(gltf::load_model(options.model)),
+          m_drawing(load_model_file(options.model, options.model_options), options.camera),
           m_window(create_window(options, m_title)),
           m_gl(load_commands()) {
+        m_view.camera = options.camera;
         m_renderer = reinterpret_cast<const char*>(m_gl.GetString(GL_RENDERER));
         fmt::print("renderer: {}\n", m_renderer);
         std::fflush(stdout);
@@ -114,6 +115,9 @@ class Viewer {
                 break;
             case GLFW_KEY_L:
                 m_view.lighting = !m_view.lighting;
+                break;
+            case GLFW_KEY_C:  // after the last one, the viewer's own
+                m_view.camera = m_view.camera + 1 < m_drawing.cameras() ? m_view.camera + 1 : -1;
                 break;
             case GLFW_KEY_S:
                 save_next();
