@@ -19,6 +19,7 @@ struct Options {
     std::string baseline;
     std::string json_path;
     bench::Plan plan;
+    gltf::LoadOptions model;
     bool quiet = false;
 };
 
@@ -52,7 +53,7 @@ void print_table(const std::vector<bench::SceneResult>& results, const std::stri
 
 void run(Options& options) {
     options.plan.draw_program = draw_program();
-    const SceneList scenes = load_scenes(options.scenes);
+    const SceneList scenes = load_scenes(options.scenes, options.model);
     options.plan.scenes = scenes.arguments;
     for (const int threads : options.threads)
         for (const std::string& text : options.libraries) {
@@ -106,6 +107,7 @@ void add_bench_command(CLI::App& app) {
         ->check(CLI::Range(0, 4));
     command->add_option("--json", options->json_path,
                         "Write the figures as JSON; - for standard output only");
+    add_model_options(*command, options->model);
     command->add_flag("-q,--quiet", options->quiet, "No progress");
     command->callback([options] { run(*options); });
 }

@@ -32,6 +32,7 @@ struct Options {
     double seconds = 0.4;
     bool pictures_only = false;
     std::string programs;
+    gltf::LoadOptions model;
 };
 
 // Debian's assimp-testmodels; what is not there is left out.
@@ -160,8 +161,8 @@ void run(const Options& options) {
     std::vector<std::string> names = study_scene_names();
     const std::vector<std::string> models = options.models.empty() ? default_models() : options.models;
     names.insert(names.end(), models.begin(), models.end());
-    const SceneList list = load_scenes(names);
     fs::create_directories(options.output);
+    const SceneList list = load_scenes(names, options.model);
 
     std::vector<DemoScene> scenes = draw_scenes(options, list, ours, theirs);
     if (!options.pictures_only) {
@@ -200,6 +201,7 @@ void add_demo_command(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--programs", options->programs,
                         "Folder of bench/windows/programs.py: programs with windows, for the report");
+    add_model_options(*command, options->model);
     command->add_flag("--pictures-only", options->pictures_only, "No measurements");
     command->callback([options] { run(*options); });
 }

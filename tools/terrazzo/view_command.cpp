@@ -13,6 +13,8 @@
 
 #include "commands.h"
 #include "launch.h"
+#include "report/pictures.h"
+#include "scene_arguments.h"
 #include "viewer.h"
 
 namespace terrazzo {
@@ -50,6 +52,7 @@ void set_size(ViewerOptions& viewer, const std::string& text) {
 
 void run(Options& options) {
     set_size(options.viewer, options.size);
+    if (!options.viewer.screenshot.empty()) report::check_picture_path(options.viewer.screenshot);
     if (!options.system) start_anew(options.threads);
     view(options.viewer);
 }
@@ -62,6 +65,11 @@ void add_view_command(CLI::App& app) {
     command->add_option("model", options->viewer.model, "A .gltf or .glb file")
         ->required()
         ->check(CLI::ExistingFile);
+    command
+        ->add_option("--camera", options->viewer.camera, "Seen by the model's camera of this number, from 0")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Model files");
+    add_model_options(*command, options->viewer.model_options);
     command->add_flag("--egl", options->viewer.egl, "Through EGL instead of GLX");
     command->add_option("--size", options->size, "Of the window: WIDTHxHEIGHT")->capture_default_str();
     command->add_flag("--fps", options->viewer.print_fps,
@@ -76,7 +84,9 @@ void add_view_command(CLI::App& app) {
     command->add_flag("--system", options->system, "Drawn by the OpenGL that the system finds instead");
     command->footer(
         "Mouse: left button turns, right button shifts, wheel zooms.\n"
-        "Keys: w wireframe, t textures, l lighting, s screenshot, q or Escape ends.");
+        "Keys: w wireframe, t textures, l lighting, c the model's next camera, s screenshot, q or Escape "
+        "ends.\n"
+        "What of the model cannot be drawn is said on standard error; doc/models.md tells what is drawn.");
     command->callback([options] { run(*options); });
 }
 
