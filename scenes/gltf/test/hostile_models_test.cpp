@@ -315,9 +315,9 @@ TEST_F(HostileModels, ThatAskForTooMuch) {
     json zeros = triangle();
     for (json& accessor : zeros["accessors"]) {
         accessor.erase("bufferView");
-        accessor["count"] = 9'999'999;
+        accessor["count"] = 3'000'000;
     }
-    expect_end(zeros, "ten million vertices that lie nowhere");
+    expect_end(zeros, "three million vertices that lie nowhere");
 
     json many = triangle();
     many["meshes"][0]["primitives"] = json::array();
@@ -350,8 +350,8 @@ TEST_F(HostileModels, ThatAskForTooMuch) {
     expect_end(skins, "twenty thousand skins of twenty thousand joints");
 
     json odd = triangle();
-    for (int i = 0; i < 50'000; ++i) odd["materials"].push_back({{"emissiveFactor", {1, 2}}});
-    expect_end(odd, "fifty thousand odd materials");
+    for (int i = 0; i < 20'000; ++i) odd["materials"].push_back({{"emissiveFactor", {1, 2}}});
+    expect_end(odd, "twenty thousand odd materials");
 
     const int code = load_within_limits(
         File("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[" + std::string(3'000'000, '[')).path());
