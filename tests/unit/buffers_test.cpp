@@ -224,7 +224,7 @@ TEST_F(BuffersTest, ArraysWhoseBufferIsDeletedAreNotRead) {
     // New pointers are the client's.
     vertex_pointer(ctx(), 2, GL_FLOAT, 0, kSquare);
     disable_client_state(ctx(), GL_COLOR_ARRAY);
-    color4f(ctx(), 1, 1, 1, 1);
+    current.table->Color4f(&ctx(), 1, 1, 1, 1);
     draw_arrays(ctx(), GL_QUADS, 0, 4);
     EXPECT_EQ(lit_pixels(), kSize * kSize);
 }
