@@ -290,21 +290,20 @@ void PrimitiveAssembler::triangle_with_edges(const int (&v)[3], const bool (&edg
     if (starts_polygon && m_stages.takes_triangles()) m_stages.restart_lines();
     const int32_t* const outcodes = m_vertices.integers(kOutcode);
     const int32_t a = outcodes[v[0]], b = outcodes[v[1]], c = outcodes[v[2]];
-    if ((a | b | c) == 0) return emit_triangle(v, edges);
+    if ((a | b | c) == 0) return emit_triangle(v, edges, false);
     if (a & b & c) return;
     make_room();
     const ClippedPolygon polygon = m_clipper.clip(v, edges, m_next_slot);
-    // Where a clipped part's stipple begins is left to us (GL 1.5 §3.4.2): anew, as in the reference.
-    if (polygon.count > 2) m_stages.restart_lines();
     for (int i = 2; i < polygon.count; ++i) {
         const bool last = i + 1 == polygon.count;
+        // Where a clipped part's stipple begins is left to us (GL 1.5 §3.4.2): anew, as in the reference.
         emit_triangle({polygon.vertices[i - 1], polygon.vertices[i], polygon.vertices[0]},
-                      {polygon.edges[i - 1], last && polygon.edges[i], i == 2 && polygon.edges[0]});
+                      {polygon.edges[i - 1], last && polygon.edges[i], i == 2 && polygon.edges[0]}, i == 2);
     }
 }
 
-void PrimitiveAssembler::emit_triangle(const int (&v)[3], const bool (&edges)[3]) {
-    if (m_stages.takes_triangles()) return m_stages.triangle(v, edges);
+void PrimitiveAssembler::emit_triangle(const int (&v)[3], const bool (&edges)[3], bool restarts) {
+    if (m_stages.takes_triangles()) return m_stages.triangle(v, edges, restarts);
     m_setup.triangle(m_filled, v[0], v[1], v[2]);
 }
 

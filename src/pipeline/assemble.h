@@ -58,7 +58,7 @@ class PrimitiveAssembler {
                             starts_polygon);
     }
     void triangle_with_edges(const int (&v)[3], const bool (&edges)[3], bool starts_polygon);
-    void emit_triangle(const int (&v)[3], const bool (&edges)[3]);
+    void emit_triangle(const int (&v)[3], const bool (&edges)[3], bool restarts);
     void make_room();
 
     Frame& m_frame;

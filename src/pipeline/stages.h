@@ -29,8 +29,9 @@ class PrimitiveStages {
 
     void point(int v);
     void line(int a, int b);
-    // edges[i] says whether the edge from vertex i to the next is part of the polygon's outline.
-    void triangle(const int (&v)[3], const bool (&edges)[3]);
+    // edges[i] says whether the edge from vertex i to the next is part of the polygon's outline; `restarts`:
+    // the stipple begins anew with it within its polygon.
+    void triangle(const int (&v)[3], const bool (&edges)[3], bool restarts);
     // The stipple begins anew with the line or polygon that comes next, or would have come had it not been
     // clipped away.
     void restart_lines() {

@@ -100,7 +100,7 @@ void PrimitiveStages::offset_depth(const int (&v)[3], float determinant) {
     for (const int slot : v) z[slot] = saturate(z[slot] + offset);
 }
 
-void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3]) {
+void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3], bool restarts) {
     const RasterState& r = m_state.raster;
     const Facing side = facing(polygon);
     if (side.back ? r.cull_back : r.cull_front) return;
@@ -120,6 +120,7 @@ void PrimitiveStages::triangle(const int (&polygon)[3], const bool (&edges)[3]) 
             m_setup.triangle(m_filled, v[0], v[1], v[2]);
             return;
         case FillMode::kLine:
+            if (restarts) restart_lines();
             // From the last corner on: that is the order in which a polygon's stipple runs round it.
             if (edges[2]) line(v[2], v[0]);
             if (edges[0]) line(v[0], v[1]);

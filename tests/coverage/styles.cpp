@@ -1,6 +1,7 @@
 // Choosing the state and drawing; see styles.h.
 #include "styles.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -190,6 +191,12 @@ void set_textures(const Gl& gl, Random& random) {
     enable(gl, GL_FOG, random.chance(3));
 }
 
+// Whether primitives of this mode are several lines or triangles, the first of which may be clipped away
+// alone.
+bool may_lose_restart(GLenum mode) {
+    return mode == GL_LINE_STRIP || mode == GL_LINE_LOOP || mode >= GL_QUADS;
+}
+
 // A line of no length: the reference's line stipple does not restart where the first line of a strip is
 // clipped away (doc/reference.md §3.3, defects).
 void restart_stipple(const Gl& gl) {
@@ -219,7 +226,9 @@ void draw_primitives(const Gl& gl, Random& random, bool strays) {
         const uint32_t way = random.below(5);
         std::vector<Vertex> vertices = make_vertices(random, random.chance(3));
         if (strays) lead_astray(random, vertices);
-        restart_stipple(gl);
+        // One quad: what follows a polygon that is culled or clipped away does not restart there either.
+        if (mode == GL_QUADS || mode == GL_QUAD_STRIP) vertices.resize(std::min<size_t>(vertices.size(), 4));
+        if (may_lose_restart(mode)) restart_stipple(gl);
         switch (way) {
             case 0:
                 draw_arrays(gl, mode, vertices, false);
