@@ -199,6 +199,7 @@ const Group kGroups[] = {
     {GL_STENCIL_BUFFER_BIT, "stencil buffer",
      [](auto& gl) {
          gl.Enable(GL_STENCIL_TEST);
+         gl.ActiveStencilFaceEXT(GL_FRONT);
          gl.StencilFunc(GL_LESS, 3, 0x0f);
          gl.StencilOp(GL_INCR, GL_DECR, GL_INVERT);
          gl.StencilMask(0x77);
