@@ -77,9 +77,15 @@ const Command kCommands[] = {
          const GLenum fail = p.enumerant(kStencilOperations), depth_fail = p.enumerant(kStencilOperations);
          p.gl().StencilOpSeparateATI(face, fail, depth_fail, p.enumerant(kStencilOperations));
      }},
+    // Active for the command alone: the reference's PopAttrib forgets the face unless the capability changes.
     {"glActiveStencilFaceEXT",
      [](Player& p) {
          p.gl().ActiveStencilFaceEXT(p.enumerant({TERRAZZO_E(GL_FRONT), TERRAZZO_E(GL_BACK)}));
+         const GLenum func = p.enumerant(kComparisons);
+         const GLint reference = p.integer();
+         p.gl().StencilFunc(func, reference, p.bits());
+         p.gl().StencilMask(p.bits());
+         p.gl().ActiveStencilFaceEXT(GL_FRONT);
      }},
     {"glDepthFunc", [](Player& p) { p.gl().DepthFunc(p.enumerant(kComparisons)); }},
     {"glDepthMask", [](Player& p) { p.gl().DepthMask(p.flag()); }},
