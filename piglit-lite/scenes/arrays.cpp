@@ -177,8 +177,15 @@ SCENE(array_normal_and_texture_types,
             if (cell == 7) gl.TexCoordPointer(size, GL_FLOAT, 0, tf.data());
             if (cell == 8) gl.TexCoordPointer(size, GL_DOUBLE, 0, td.data());
         }
-        gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(grid.indices.size()), GL_UNSIGNED_SHORT,
-                        grid.indices.data());
+        if (cell < 3) {
+            // The reference's draws take signed integers by a later version's rule (doc/reference.md §2.1).
+            gl.Begin(GL_TRIANGLES);
+            for (const std::uint16_t index : grid.indices) gl.ArrayElement(index);
+            gl.End();
+        } else {
+            gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(grid.indices.size()), GL_UNSIGNED_SHORT,
+                            grid.indices.data());
+        }
         gl.DisableClientState(GL_NORMAL_ARRAY);
         gl.DisableClientState(GL_TEXTURE_COORD_ARRAY);
     });
