@@ -104,6 +104,30 @@ SCENE(cube_reflections, "a reflecting and a normal-mapped torus, with rotated te
     notes.value("no reflected q", gl.GetError());
 }
 
+SCENE(cube_depths, "a cube map of depths in its three modes, NEAREST and LINEAR, of 16, 24 and 32 bits") {
+    pixel_projection(gl);
+    striped_backdrop(gl, 5);
+    gl.Enable(GL_TEXTURE_CUBE_MAP);
+    const GLenum modes[] = {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA};
+    const GLint formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32};
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    for_cells(3, 2, [&](int cell, float x, float y, float w, float h) {
+        for (GLenum face = 0; face < 6; ++face) {
+            std::vector<std::uint16_t> depths(8 * 8);
+            for (std::size_t i = 0; i < depths.size(); ++i)
+                depths[i] = static_cast<std::uint16_t>((face * 9000 + i * i * 13 + i * 301) & 0xffff);
+            gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, formats[cell % 3], 8, 8, 0,
+                          GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, depths.data());
+        }
+        set(gl, GL_DEPTH_TEXTURE_MODE, modes[cell % 3]);
+        filters(gl, cell / 3 ? GL_LINEAR : GL_NEAREST, cell / 3 ? GL_LINEAR : GL_NEAREST);
+        gl.Color4fv(hue(static_cast<float>(cell) / 6).data());
+        map_of_directions(gl, x + 1, y + 1, w - 2, h - 2);
+    });
+    notes.value("errors", gl.GetError());
+}
+
 SCENE(cube_images, "copies and parts of faces, incomplete maps, precedence, proxies, errors") {
     pixel_projection(gl);
     striped_backdrop(gl, 5);

@@ -59,6 +59,23 @@ GLdouble clamp_depth(GLdouble depth) {
 
 }  // namespace
 
+ColorBits color_bits(const raster::TargetFormat& format) {
+    int bits = 8;
+    switch (format.color) {
+        case raster::ColorFormat::kRgba8:
+            break;
+        case raster::ColorFormat::kRgba16:
+            bits = 16;
+            break;
+        case raster::ColorFormat::kRgba32F:
+            bits = 32;
+            break;
+        case raster::ColorFormat::kRgb565:
+            return {5, 6, 5, 0};
+    }
+    return {bits, bits, bits, format.has_alpha ? bits : 0};
+}
+
 ColorBuffer drawn_color_buffer(const Context& ctx) {
     return names_front(ctx.framebuffer.draw_buffer) ? ColorBuffer::kFront : ColorBuffer::kBack;
 }

@@ -45,6 +45,11 @@ struct FramebufferState {
     bool has_met_drawable = false;  // the first one gives viewport and scissor box their size
 };
 
+struct ColorBits {
+    int red, green, blue, alpha;
+};
+ColorBits color_bits(const raster::TargetFormat& format);
+
 // The colour buffers that glDrawBuffer and glReadBuffer chose.
 ColorBuffer drawn_color_buffer(const Context& ctx);
 ColorBuffer read_color_buffer(const Context& ctx);

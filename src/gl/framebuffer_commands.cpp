@@ -1,4 +1,4 @@
-// Commands of frame buffer objects: names, binding, attachments, queries (ARB_framebuffer_object).
+// Commands of frame buffer objects: names, binding, attachments (ARB_framebuffer_object).
 #include <algorithm>
 #include <utility>
 
@@ -59,29 +59,10 @@ Framebuffer* bound_object(Context& ctx, GLenum target) {
     return object;
 }
 
-// The points that `attachment` names, at most two; none where it is unknown, and the error is recorded.
-std::vector<Attachment*> find_points(Context& ctx, Framebuffer& framebuffer, GLenum attachment) {
-    auto& points = framebuffer.attachments;
-    switch (attachment) {
-        case GL_COLOR_ATTACHMENT0:
-            return {&points[kColorAttachment]};
-        case GL_DEPTH_ATTACHMENT:
-            return {&points[kDepthAttachment]};
-        case GL_STENCIL_ATTACHMENT:
-            return {&points[kStencilAttachment]};
-        case GL_DEPTH_STENCIL_ATTACHMENT:
-            return {&points[kDepthAttachment], &points[kStencilAttachment]};
-    }
-    const bool beyond =
-        attachment > GL_COLOR_ATTACHMENT0 && attachment < GL_COLOR_ATTACHMENT0 + kColorAttachmentNames;
-    record_error(ctx, beyond ? GL_INVALID_OPERATION : GL_INVALID_ENUM, "no such attachment point");
-    return {};
-}
-
 void attach(Context& ctx, GLenum target, GLenum attachment, const Attachment& attached) {
     Framebuffer* const framebuffer = bound_object(ctx, target);
     if (!framebuffer) return;
-    const std::vector<Attachment*> points = find_points(ctx, *framebuffer, attachment);
+    const std::vector<Attachment*> points = find_attachments(ctx, *framebuffer, attachment);
     if (points.empty()) return;
     settle_framebuffers(ctx);
     begin_change(ctx, Dirty::kFramebuffer);
@@ -118,21 +99,22 @@ void framebuffer_texture(Context& ctx, GLenum target, GLenum attachment, GLenum 
 
 }  // namespace
 
-GLint size_in_bits(const Attachment& a, GLenum pname) {
-    if (a.renderbuffer) {
-        const GLenum to_renderbuffer[] = {GL_RENDERBUFFER_RED_SIZE,   GL_RENDERBUFFER_GREEN_SIZE,
-                                          GL_RENDERBUFFER_BLUE_SIZE,  GL_RENDERBUFFER_ALPHA_SIZE,
-                                          GL_RENDERBUFFER_DEPTH_SIZE, GL_RENDERBUFFER_STENCIL_SIZE};
-        return renderbuffer_bits(*a.renderbuffer,
-                                 to_renderbuffer[pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE]);
+std::vector<Attachment*> find_attachments(Context& ctx, Framebuffer& framebuffer, GLenum attachment) {
+    auto& points = framebuffer.attachments;
+    switch (attachment) {
+        case GL_COLOR_ATTACHMENT0:
+            return {&points[kColorAttachment]};
+        case GL_DEPTH_ATTACHMENT:
+            return {&points[kDepthAttachment]};
+        case GL_STENCIL_ATTACHMENT:
+            return {&points[kStencilAttachment]};
+        case GL_DEPTH_STENCIL_ATTACHMENT:
+            return {&points[kDepthAttachment], &points[kStencilAttachment]};
     }
-    const TextureLevel& level = std::as_const(*a.texture).face(a.face)[static_cast<std::size_t>(a.level)];
-    const TexelFormat* const format = level.format;
-    if (!format) return 0;
-    const bool is_depth = format->base == GL_DEPTH_COMPONENT;
-    if (pname == GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE) return is_depth ? format->bits[0] : 0;
-    if (pname == GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) return has_stencil(level.internal_format) ? 8 : 0;
-    return is_depth ? 0 : format->bits[pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE];
+    const bool beyond =
+        attachment > GL_COLOR_ATTACHMENT0 && attachment < GL_COLOR_ATTACHMENT0 + kColorAttachmentNames;
+    record_error(ctx, beyond ? GL_INVALID_OPERATION : GL_INVALID_ENUM, "no such attachment point");
+    return {};
 }
 
 void gen_framebuffers(Context& ctx, GLsizei n, GLuint* framebuffers) {
@@ -238,55 +220,6 @@ void framebuffer_texture_3d(Context& ctx, GLenum target, GLenum attachment, GLen
 void framebuffer_texture_layer(Context& ctx, GLenum target, GLenum attachment, GLuint texture, GLint level,
                                GLint layer) {
     framebuffer_texture(ctx, target, attachment, GL_TEXTURE_3D, texture, level, layer);
-}
-
-void get_framebuffer_attachment_parameteriv(Context& ctx, GLenum target, GLenum attachment, GLenum pname,
-                                            GLint* params) {
-    Framebuffer* const framebuffer = bound_object(ctx, target);
-    if (!framebuffer) return;
-    const std::vector<Attachment*> points = find_points(ctx, *framebuffer, attachment);
-    if (points.empty()) return;
-    const Attachment& a = *points.front();
-    if (points.size() == 2 && (a.renderbuffer != points[1]->renderbuffer || a.texture != points[1]->texture))
-        return record_error(ctx, GL_INVALID_OPERATION, "depth and stencil are not the same object");
-    if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) {
-        *params = a.renderbuffer ? GL_RENDERBUFFER : a.texture ? GL_TEXTURE : GL_NONE;
-        return;
-    }
-    if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME) {
-        *params = static_cast<GLint>(a.renderbuffer ? a.renderbuffer->name : a.texture ? a.texture->name : 0);
-        return;
-    }
-    const bool is_size =
-        pname >= GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE && pname <= GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE;
-    if (is_size && !a.is_empty()) {
-        const auto lock = lock_textures(ctx);
-        *params = size_in_bits(a, pname);
-        return;
-    }
-    if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING && !a.is_empty()) {
-        *params = GL_LINEAR;
-        return;
-    }
-    if (pname == GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE && !a.is_empty()) {
-        *params = attachment == GL_STENCIL_ATTACHMENT ? GL_INDEX : GL_UNSIGNED_NORMALIZED;
-        return;
-    }
-    if (a.texture) {
-        switch (pname) {
-            case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL:
-                *params = a.level;
-                return;
-            case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE:
-                *params =
-                    a.texture->target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + a.face : 0;
-                return;
-            case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER:
-                *params = a.layer;
-                return;
-        }
-    }
-    record_error(ctx, GL_INVALID_ENUM, "no such parameter of what is attached");
 }
 
 }  // namespace terrazzo::gl

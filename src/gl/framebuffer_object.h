@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
+#include <vector>
 
 #include "gl/drawable.h"
 #include "gl/texture.h"
@@ -114,6 +115,9 @@ void settle_framebuffers(Context& ctx);
 // How many bits what is attached has of a component, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE and so on; textures
 // are locked, and something is attached.
 GLint size_in_bits(const Attachment& a, GLenum pname);
+
+// The points that `attachment` names, at most two; none where it is unknown, and the error is recorded.
+std::vector<Attachment*> find_attachments(Context& ctx, Framebuffer& framebuffer, GLenum attachment);
 
 // A query of GetRenderbufferParameter about bits.
 GLint renderbuffer_bits(const Renderbuffer& renderbuffer, GLenum pname);

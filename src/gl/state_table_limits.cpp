@@ -14,21 +14,8 @@ struct BufferBits {
 };
 
 BufferBits bits_of(const raster::TargetFormat& format) {
-    const int depth = format.depth_bits, stencil = format.stencil_bits;
-    int bits = 8;
-    switch (format.color) {
-        case raster::ColorFormat::kRgba8:
-            break;
-        case raster::ColorFormat::kRgba16:
-            bits = 16;
-            break;
-        case raster::ColorFormat::kRgba32F:
-            bits = 32;
-            break;
-        case raster::ColorFormat::kRgb565:
-            return {5, 6, 5, 0, depth, stencil};
-    }
-    return {bits, bits, bits, format.has_alpha ? bits : 0, depth, stencil};
+    const ColorBits color = color_bits(format);
+    return {color.red, color.green, color.blue, color.alpha, format.depth_bits, format.stencil_bits};
 }
 
 // Of a frame buffer object what its attachments have, drawn to or not; nothing where it is not complete.

@@ -121,8 +121,6 @@ void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, G
     if (!check_readable_framebuffer(ctx)) return;
     if (const Rule rule = check_source(ctx, *format, spec.internal_format); rule.code != GL_NO_ERROR)
         return record_error(ctx, rule.code, rule.words);
-    if (format->base == GL_DEPTH_COMPONENT && target.is_cube())
-        return record_error(ctx, GL_INVALID_OPERATION, "there are no depth textures of this target");
     TextureLevel level = make_level(spec, *format);
     const ReadSource source(ctx);
     if (level.image) {

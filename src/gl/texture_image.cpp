@@ -60,9 +60,10 @@ void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spe
     update_mipmap(target, spec.level);
 }
 
-// GL 1.4 §3.8.1: depth textures have one or two dimensions.
+// Depth textures have one or two dimensions, or are cube maps as in the reference and since GL 3.0; GL 1.5
+// §3.8.1 has none of these yet.
 Rule check_depth_target(const ImageTarget& target, const TexelFormat& format) {
-    if (format.base != GL_DEPTH_COMPONENT || (target.dimensions < 3 && !target.is_cube())) return {};
+    if (format.base != GL_DEPTH_COMPONENT || target.dimensions < 3) return {};
     return {GL_INVALID_OPERATION, "there are no depth textures of this target"};
 }
 

@@ -231,7 +231,8 @@ raster::Sampler make_sampler(const TextureUnit& unit_state, const TextureObject&
     if (sampler.storage == raster::TexelStorage::kDepth) {
         sampler.depth_mode = translate_depth_mode(p.depth_mode);
         sampler.depth_bits = base.format->bits[0];
-        sampler.compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
+        // Directions use r up: depths of cube maps are not compared.
+        sampler.compares = !is_face && p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
         sampler.compare_func = translate_compare(p.compare_func);
     }
     return sampler;
