@@ -15,6 +15,10 @@ struct ErrorState {
     const char* command = "";  // the GL command being executed, for the log; set in debug mode only
 };
 
+// Where a command is allowed (GL 1.5 §2.6.3): of those that are not allowed between Begin and End no other
+// error counts there.
+enum class Allowed : unsigned char { kOutsideBeginEnd, kAnywhere };
+
 // Records `code` unless one is pending. `rule` says which rule was broken, in words for the debug log, such
 // as "width is negative".
 void record_error(Context& ctx, GLenum code, const char* rule);

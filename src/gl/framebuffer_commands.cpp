@@ -1,6 +1,5 @@
 // Commands of frame buffer objects: names, binding, attachments (ARB_framebuffer_object).
 #include <algorithm>
-#include <utility>
 
 #include "gl/context.h"
 #include "gl/draw.h"

@@ -19,6 +19,15 @@ bool is_index_type(GLenum type) {
     return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
 }
 
+void record_draw_error(Context& ctx, GLenum code, const char* rule) {
+    record_list_error(ctx, Allowed::kOutsideBeginEnd, code, rule);
+}
+
+// A draw without vertices, which is an error where draws are not allowed.
+void record_empty_draw(Context& ctx) {
+    record_draw_error(ctx, GL_NO_ERROR, "");
+}
+
 // The error that a draw of arrays makes whenever the list is called; GL_NO_ERROR and "" for none.
 std::pair<GLenum, const char*> error_of_draw(const Context& ctx, GLenum mode, GLsizei count) {
     if (ctx.lists.vertices.open()) return {GL_INVALID_OPERATION, "not allowed between glBegin and glEnd"};
@@ -93,25 +102,25 @@ void append_arrays(DisplayList& list, GLenum mode, pipeline::VertexRange range, 
 template <typename FetchIndices>
 void record_range(Context& ctx, GLenum mode, const pipeline::VertexRange& range, FetchIndices fetch_indices) {
     const EnabledArrays arrays(ctx);
-    if (arrays.any_mapped()) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
-    if (range.count == 0 || !arrays.has_position()) return;
+    if (arrays.any_mapped()) return record_draw_error(ctx, GL_INVALID_OPERATION, kMapped);
+    if (range.count == 0 || !arrays.has_position()) return record_empty_draw(ctx);
     record(ctx, [&](DisplayList& list) { append_arrays(list, mode, range, arrays, fetch_indices()); });
 }
 
 void record_draw_arrays(Context& ctx, GLenum mode, GLint first, GLsizei count) {
-    if (first < 0) return record_list_error(ctx, GL_INVALID_VALUE, "first is negative");
+    if (first < 0) return record_draw_error(ctx, GL_INVALID_VALUE, "first is negative");
     const auto [error, rule] = error_of_draw(ctx, mode, count);
-    if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
+    if (error != GL_NO_ERROR) return record_draw_error(ctx, error, rule);
     record_range(ctx, mode, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)},
                  [] { return std::vector<std::uint32_t>(); });
 }
 
 void record_draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type, const void* indices) {
-    if (!is_index_type(type)) return record_list_error(ctx, GL_INVALID_ENUM, "no type of indices");
+    if (!is_index_type(type)) return record_draw_error(ctx, GL_INVALID_ENUM, "no type of indices");
     const auto [error, rule] = error_of_draw(ctx, mode, count);
-    if (error != GL_NO_ERROR) return record_list_error(ctx, error, rule);
+    if (error != GL_NO_ERROR) return record_draw_error(ctx, error, rule);
     const ReadableIndices found = find_indices(ctx, count, type, indices);
-    if (found.bytes.mapped) return record_list_error(ctx, GL_INVALID_OPERATION, kMapped);
+    if (found.bytes.mapped) return record_draw_error(ctx, GL_INVALID_OPERATION, kMapped);
     record_range(ctx, mode, {0, static_cast<std::uint32_t>(found.count)},
                  [&] { return found.widened(type); });
 }
@@ -136,7 +145,8 @@ void draw(Context& ctx, const ArraysRecord& record) {
 // Calls draw(i) for each draw of a MultiDraw command, unless `rule` says why none is made.
 template <typename Draw>
 void record_draws(Context& ctx, const Rule& rule, GLsizei count, Draw draw) {
-    if (rule.code != GL_NO_ERROR) return record_list_error(ctx, rule.code, rule.words);
+    if (rule.code != GL_NO_ERROR) return record_draw_error(ctx, rule.code, rule.words);
+    record_empty_draw(ctx);  // all of them may be
     for (GLsizei i = 0; i < count; ++i) draw(i);
 }
 
@@ -152,9 +162,9 @@ void play_arrays(Context& ctx, const ArraysRecord& record) {
 }
 
 void Compile::ArrayElement(Context& ctx, GLint i) {
-    if (i < 0) return error(ctx, GL_INVALID_VALUE, "the element is negative");
+    if (i < 0) return error(ctx, Allowed::kAnywhere, GL_INVALID_VALUE, "the element is negative");
     const EnabledArrays arrays(ctx);
-    if (arrays.any_mapped()) return error(ctx, GL_INVALID_OPERATION, kMapped);
+    if (arrays.any_mapped()) return error(ctx, Allowed::kAnywhere, GL_INVALID_OPERATION, kMapped);
     for (const ReadableArray& array : arrays) {
         const std::array<GLfloat, 4> v = array.element(static_cast<GLuint>(i));
         switch (array.attribute) {
@@ -200,7 +210,7 @@ void Compile::DrawElements(Context& ctx, GLenum mode, GLsizei count, GLenum type
 void Compile::DrawRangeElements(Context& ctx, GLenum mode, GLuint start, GLuint end, GLsizei count,
                                 GLenum type, const void* indices) {
     if (end < start) {
-        record_list_error(ctx, GL_INVALID_VALUE, "end is before start");
+        record_draw_error(ctx, GL_INVALID_VALUE, "end is before start");
     } else {
         record_draw_elements(ctx, mode, count, type, indices);
     }

@@ -36,8 +36,9 @@ void record(Context& ctx, Append append) noexcept {
     }
 }
 
-// Records an error that belongs to the call of the list.
-void record_list_error(Context& ctx, GLenum code, const char* rule);
+// Records an error that belongs to the call of the list; GL_NO_ERROR for a command that does nothing unless
+// it is called where it is not allowed.
+void record_list_error(Context& ctx, Allowed allowed, GLenum code, const char* rule);
 
 // An array argument on its way behind a record.
 class CopiedArray {

@@ -107,21 +107,26 @@ void list_out_of_memory(Context& ctx) {
     record_error(ctx, GL_OUT_OF_MEMORY, "not enough memory for the display list");
 }
 
-void record_list_error(Context& ctx, GLenum code, const char* rule) {
+void record_list_error(Context& ctx, Allowed allowed, GLenum code, const char* rule) {
     record(ctx, [&](DisplayList& list) {
         auto& r = list.append<ErrorRecord>();
+        r.allowed = allowed;
         r.code = code;
         r.rule = rule;
     });
 }
 
-void Compile::error(Context& ctx, GLenum code, const char* rule) {
-    record_list_error(ctx, code, rule);
-    if (ctx.lists.execute_too) record_error(ctx, code, rule);
+void Compile::error(Context& ctx, Allowed allowed, GLenum code, const char* rule) {
+    record_list_error(ctx, allowed, code, rule);
+    if (ctx.lists.execute_too) play_error(ctx, {{}, allowed, code, rule});
 }
 
 void play_error(Context& ctx, const ErrorRecord& record) {
-    record_error(ctx, record.code, record.rule);
+    if (ctx.vertex.open && record.allowed != Allowed::kAnywhere) {
+        record_error(ctx, GL_INVALID_OPERATION, "not allowed between glBegin and glEnd");
+    } else if (record.code != GL_NO_ERROR) {
+        record_error(ctx, record.code, record.rule);
+    }
 }
 
 void new_list(Context& ctx, GLuint list, GLenum mode) {

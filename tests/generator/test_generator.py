@@ -113,15 +113,20 @@ forward.glPixelStorei = { from = "glPixelStoref" }""")
         self.assertIn("if (!v1) [[unlikely]]", thunk_of(self.POLICY, "glRectdv"))
         self.assertIn('GL_INVALID_VALUE, "params is null"', thunk_of(self.POLICY, "glFogfv"))
 
-    def test_a_single_value_is_no_vector(self):
-        self.assertIn("if (fog_count(pname).size > 1)", thunk_of(self.POLICY, "glFogf"))
+    def test_a_single_value_is_the_first_of_a_vector(self):
+        self.assertIn("const GLfloat vector[4] = {param};", thunk_of(self.POLICY, "glFogf"))
+        self.assertNotIn("kRecords", thunk_of(self.POLICY, "glFogf"))
+
+    def test_a_single_value_is_refused_for_a_vector_outside_lists(self):
+        policy = policy_of("glFogfv = {}", 'values.glFogfv = { from = "glFogf", values = "Fog", refuses = true }')
+        self.assertIn("if (!Do::kRecords && fog_count(pname).size > 1)", thunk_of(policy, "glFogf"))
 
     def test_transposition(self):
         self.assertIn("{m[0], m[4], m[8], m[12], m[1],", thunk_of(self.POLICY, "glLoadTransposeMatrixf"))
 
     def test_counts_that_are_left_out_are_checked(self):
         policy = policy_of("glVertexPointer = {}", 'forward.glVertexPointer = { from = "glVertexPointerEXT" }')
-        self.assertIn('if (count < 0) return Do::error(*ctx, GL_INVALID_VALUE, "count is negative");',
+        self.assertIn('if (count < 0) return Do::error(*ctx, Allowed::kAnywhere, GL_INVALID_VALUE, "count is negative");',
                       thunk_of(policy, "glVertexPointerEXT"))
 
     def test_floats_given_for_integers_are_rounded(self):

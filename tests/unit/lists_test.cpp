@@ -87,7 +87,7 @@ TEST_F(ListTest, ErrorsOfNewListAndEndList) {
 TEST_F(ListTest, ErrorsBelongToTheCall) {
     glNewList(1, GL_COMPILE);
     glMatrixMode(GL_ONE);
-    glFogf(GL_FOG_COLOR, 1);  // known to be wrong when it is compiled
+    glLightfv(GL_LIGHT0, GL_AMBIENT, nullptr);  // known to be wrong when it is compiled
     glFogfv(GL_FOG_COLOR, nullptr);
     glEndList();
     expect_error(GL_NO_ERROR);
@@ -499,6 +499,83 @@ TEST_F(ListTest, ColorArraysMayHaveBlueFirst) {
     EXPECT_EQ(current(GL_CURRENT_COLOR), expected);
     EXPECT_EQ(current(GL_CURRENT_SECONDARY_COLOR), opaque);
     EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
+// What a list holds of commands that are not allowed between Begin and End is an error there, whatever else
+// is wrong with it and even if it would do nothing.
+TEST_F(ListTest, WhatIsNotAllowedBetweenBeginAndEndIsAnErrorThere) {
+    struct Recorded {
+        const char* text;
+        void (*record)();
+        GLenum outside, inside;
+    };
+    const Recorded all[] = {
+        {"a draw without a vertex array", [] { glDrawArrays(GL_QUADS, 0, 4); }, GL_NO_ERROR,
+         GL_INVALID_OPERATION},
+        {"a draw of nothing", [] { glDrawArrays(GL_QUADS, 0, 0); }, GL_NO_ERROR, GL_INVALID_OPERATION},
+        {"indices without a vertex array",
+         [] {
+             const GLubyte indices[3] = {0, 1, 2};
+             glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices);
+         },
+         GL_NO_ERROR, GL_INVALID_OPERATION},
+        {"no draws",
+         [] {
+             const GLint first = 0;
+             const GLsizei count = 0;
+             glMultiDrawArrays(GL_QUADS, &first, &count, 0);
+         },
+         GL_NO_ERROR, GL_INVALID_OPERATION},
+        {"draws of nothing",
+         [] {
+             const GLint first[2] = {0, 0};
+             const GLsizei count[2] = {0, 0};
+             glMultiDrawArrays(GL_QUADS, first, count, 2);
+         },
+         GL_NO_ERROR, GL_INVALID_OPERATION},
+        {"a draw of no primitive", [] { glDrawArrays(GL_POLYGON + 1, 0, 4); }, GL_INVALID_ENUM,
+         GL_INVALID_OPERATION},
+        {"draws of no primitive",
+         [] {
+             const GLint first = 0;
+             const GLsizei count = 0;
+             glMultiDrawArrays(GL_POLYGON + 1, &first, &count, 1);
+         },
+         GL_INVALID_ENUM, GL_INVALID_OPERATION},
+        {"a null pointer", [] { glFogfv(GL_FOG_COLOR, nullptr); }, GL_INVALID_VALUE, GL_INVALID_OPERATION},
+        {"a single value for a vector", [] { glLightModelf(GL_LIGHT_MODEL_AMBIENT, 1); }, GL_NO_ERROR,
+         GL_INVALID_OPERATION},
+        // These are allowed: their own errors count.
+        {"a material of null", [] { glMaterialfv(GL_FRONT, GL_AMBIENT, nullptr); }, GL_INVALID_VALUE,
+         GL_INVALID_VALUE},
+        {"a negative element", [] { glArrayElement(-1); }, GL_INVALID_VALUE, GL_INVALID_VALUE},
+        {"a single value for a material", [] { glMaterialf(GL_FRONT, GL_AMBIENT, 1); }, GL_NO_ERROR,
+         GL_NO_ERROR},
+    };
+    for (const Recorded& r : all) {
+        for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+            SCOPED_TRACE(r.text);
+            glNewList(1, mode);
+            r.record();
+            glEndList();
+            expect_error(mode == GL_COMPILE ? GLenum{GL_NO_ERROR} : r.outside);
+            glCallList(1);
+            expect_error(r.outside);
+            glBegin(GL_POINTS);
+            glCallList(1);
+            glEnd();
+            expect_error(r.inside);
+            // Begin and End in the list themselves.
+            glNewList(2, mode);
+            glBegin(GL_POINTS);
+            r.record();
+            glEnd();
+            glEndList();
+            expect_error(mode == GL_COMPILE ? GLenum{GL_NO_ERROR} : r.inside);
+            glCallList(2);
+            expect_error(r.inside);
+        }
+    }
 }
 
 }  // namespace

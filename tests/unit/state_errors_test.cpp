@@ -47,8 +47,6 @@ const BadCall kBadCalls[] = {
     {"Light of a light too many", GL_INVALID_ENUM,
      [](auto& gl) { gl.Lightfv(GL_LIGHT0 + 8, GL_AMBIENT, kVector); }},
     {"Light", GL_INVALID_ENUM, [](auto& gl) { gl.Lightfv(GL_LIGHT0, GL_SHININESS, kVector); }},
-    {"Light of a scalar for a vector", GL_INVALID_ENUM,
-     [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_AMBIENT, 1); }},
     {"Light, exponent < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_EXPONENT, -1); }},
     {"Light, exponent > 128", GL_INVALID_VALUE,
      [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_EXPONENT, 129); }},
@@ -57,14 +55,10 @@ const BadCall kBadCalls[] = {
     {"Light, attenuation < 0", GL_INVALID_VALUE,
      [](auto& gl) { gl.Lightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, -0.1f); }},
     {"LightModel", GL_INVALID_ENUM, [](auto& gl) { gl.LightModelf(GL_AMBIENT, 1); }},
-    {"LightModel of a scalar for a vector", GL_INVALID_ENUM,
-     [](auto& gl) { gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 1); }},
     {"LightModel, colour control", GL_INVALID_ENUM,
      [](auto& gl) { gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_TRUE); }},
     {"Material, face", GL_INVALID_ENUM, [](auto& gl) { gl.Materialfv(GL_LEFT, GL_AMBIENT, kVector); }},
     {"Material", GL_INVALID_ENUM, [](auto& gl) { gl.Materialfv(GL_FRONT, GL_POSITION, kVector); }},
-    {"Material of a scalar for a vector", GL_INVALID_ENUM,
-     [](auto& gl) { gl.Materialf(GL_FRONT, GL_AMBIENT, 1); }},
     {"Material, shininess < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Materialf(GL_FRONT, GL_SHININESS, -1); }},
     {"Material, shininess > 128", GL_INVALID_VALUE,
      [](auto& gl) { gl.Materialf(GL_FRONT, GL_SHININESS, 129); }},
@@ -75,8 +69,6 @@ const BadCall kBadCalls[] = {
     {"PointSize 0", GL_INVALID_VALUE, [](auto& gl) { gl.PointSize(0); }},
     {"PointSize < 0", GL_INVALID_VALUE, [](auto& gl) { gl.PointSize(-1); }},
     {"PointParameter", GL_INVALID_ENUM, [](auto& gl) { gl.PointParameterf(GL_POINT_SIZE, 1); }},
-    {"PointParameter of a scalar for a vector", GL_INVALID_ENUM,
-     [](auto& gl) { gl.PointParameterf(GL_POINT_DISTANCE_ATTENUATION, 1); }},
     {"PointParameter, size < 0", GL_INVALID_VALUE,
      [](auto& gl) { gl.PointParameterf(GL_POINT_SIZE_MIN, -1); }},
     {"PointParameter, threshold NaN", GL_INVALID_VALUE,
@@ -108,7 +100,6 @@ const BadCall kBadCalls[] = {
     {"PolygonStipple of null", GL_INVALID_VALUE, [](auto& gl) { gl.PolygonStipple(nullptr); }},
 
     {"Fog", GL_INVALID_ENUM, [](auto& gl) { gl.Fogf(GL_AMBIENT, 1); }},
-    {"Fog of a scalar for a vector", GL_INVALID_ENUM, [](auto& gl) { gl.Fogf(GL_FOG_COLOR, 1); }},
     {"Fog, mode", GL_INVALID_ENUM, [](auto& gl) { gl.Fogi(GL_FOG_MODE, GL_NEAREST); }},
     {"Fog, source of coordinates", GL_INVALID_ENUM,
      [](auto& gl) { gl.Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_DENSITY); }},
@@ -166,7 +157,6 @@ const BadCall kBadCalls[] = {
     {"TexGen, mode", GL_INVALID_ENUM, [](auto& gl) { gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_LINEAR); }},
     {"TexGen, sphere map for r", GL_INVALID_ENUM,
      [](auto& gl) { gl.TexGeni(GL_R, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP); }},
-    {"TexGen of a scalar for a plane", GL_INVALID_ENUM, [](auto& gl) { gl.TexGenf(GL_S, GL_EYE_PLANE, 1); }},
 
     {"Scissor, width < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Scissor(0, 0, -1, 1); }},
     {"Scissor, height < 0", GL_INVALID_VALUE, [](auto& gl) { gl.Scissor(0, 0, 1, -1); }},
@@ -233,6 +223,56 @@ TEST_F(StateErrors, QueriesWriteNothing) {
     EXPECT_EQ(std::count(integers, integers + 16, 77), 16);
     EXPECT_EQ(std::count(doubles, doubles + 16, 77.0), 16);
     EXPECT_EQ(std::count(booleans, booleans + 16, GLboolean{77}), 16);
+}
+
+// A single value for a vector is its first component, the others are 0: the reference's rule, where GL 1.5
+// leaves open what happens.
+TEST_F(StateErrors, ASingleValueIsTheFirstOfAVector) {
+    const auto expect_half = [&](const char* text, const std::function<void()>& set,
+                                 const std::function<void(GLfloat*)>& get, int count = 4) {
+        set();
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR}) << text;
+        GLfloat values[4] = {7, 7, 7, 7};
+        get(values);
+        EXPECT_FLOAT_EQ(values[0], 0.5f) << text;
+        for (int i = 1; i < count; ++i) EXPECT_NEAR(values[i], 0, 1e-9) << text << ", component " << i;
+    };
+    const GLint half = 0x3fffffff;
+    expect_half(
+        "Light", [&] { gl.Lightf(GL_LIGHT0, GL_AMBIENT, 0.5f); },
+        [&](GLfloat* v) { gl.GetLightfv(GL_LIGHT0, GL_AMBIENT, v); });
+    expect_half(
+        "Light of an integer", [&] { gl.Lighti(GL_LIGHT0, GL_DIFFUSE, half); },
+        [&](GLfloat* v) { gl.GetLightfv(GL_LIGHT0, GL_DIFFUSE, v); });
+    expect_half(
+        "LightModel", [&] { gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 0.5f); },
+        [&](GLfloat* v) { gl.GetFloatv(GL_LIGHT_MODEL_AMBIENT, v); });
+    expect_half(
+        "Material", [&] { gl.Materialf(GL_FRONT, GL_AMBIENT, 0.5f); },
+        [&](GLfloat* v) { gl.GetMaterialfv(GL_FRONT, GL_AMBIENT, v); });
+    expect_half(
+        "Fog", [&] { gl.Fogf(GL_FOG_COLOR, 0.5f); }, [&](GLfloat* v) { gl.GetFloatv(GL_FOG_COLOR, v); });
+    expect_half(
+        "TexEnv", [&] { gl.TexEnvf(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, 0.5f); },
+        [&](GLfloat* v) { gl.GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); });
+    expect_half(
+        "TexGen", [&] { gl.TexGenf(GL_S, GL_OBJECT_PLANE, 0.5f); },
+        [&](GLfloat* v) { gl.GetTexGenfv(GL_S, GL_OBJECT_PLANE, v); });
+    expect_half(
+        "PointParameter", [&] { gl.PointParameterf(GL_POINT_DISTANCE_ATTENUATION, 0.5f); },
+        [&](GLfloat* v) { gl.GetFloatv(GL_POINT_DISTANCE_ATTENUATION, v); }, 3);
+    // Textures refuse it at once and take it in lists.
+    gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 0.5f);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_ENUM});
+    expect_half(
+        "TexParameter in a list",
+        [&] {
+            gl.NewList(1, GL_COMPILE);
+            gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 0.5f);
+            gl.EndList();
+            gl.CallList(1);
+        },
+        [&](GLfloat* v) { gl.GetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, v); });
 }
 
 TEST_F(StateErrors, MatrixStacksOverflowAtTheDepthTheyPromise) {

@@ -41,7 +41,8 @@ def execute_header(policy):
     lines = [BANNER, "#pragma once\n",
              '#include "gl/call.h"\n#include "gl/generated/commands.h"\n#include "gl/vertex_inline.h"\n',
              "namespace terrazzo::gl {\n", "struct Execute {",
-             "    static void error(Context& ctx, GLenum code, const char* rule) { record_error(ctx, code, rule); }"]
+             "    static constexpr bool kRecords = false;",
+             "    static void error(Context& ctx, Allowed, GLenum code, const char* rule) { record_error(ctx, code, rule); }"]
     for member in policy.members:
         command = member.command
         if member.kind != "core":

@@ -29,9 +29,15 @@ def convert(expression, source, target, normalised=False):
     return f"static_cast<{target}>({expression})"
 
 
-def null_check(policy, command):
+def place(policy, member):
+    """Argument of Do::error: whether the command's own errors count between Begin and End too."""
+    return "Allowed::kAnywhere" if policy.inside_begin_end(member) else "Allowed::kOutsideBeginEnd"
+
+
+def null_check(policy, member):
     """Refuses null pointers, except where an element count of 0 or the policy makes them meaningful."""
     lines = ""
+    command = member.command
     scalars = {p.name for p in command.parameters if not p.is_pointer}
     for p in command.parameters:
         if not p.is_pointer or policy.may_be_null(command, p):
@@ -39,7 +45,7 @@ def null_check(policy, command):
         condition = f"!{p.name}" + (f" && {p.length} > 0" if p.length in scalars else "")
         result = "return" if command.result == "void" else f"return {command.result}()"
         lines += (f"    if ({condition}) [[unlikely]] {{\n"
-                  f'        Do::error(*ctx, GL_INVALID_VALUE, "{p.name} is null");\n        {result};\n    }}\n')
+                  f'        Do::error(*ctx, {place(policy, member)}, GL_INVALID_VALUE, "{p.name} is null");\n        {result};\n    }}\n')
     return lines
 
 
@@ -81,7 +87,8 @@ def matrix_body(policy, member):
 
 
 def values_body(policy, member):
-    """Lighti, Lightiv ... -> Lightfv. A single value is not enough for a parameter that is a vector."""
+    """Lighti, Lightiv ... -> Lightfv. A single value for a parameter that is a vector is its first component, as in the
+    reference; the others are 0. Where `refuses` says so it is an error outside display lists."""
     count = count_function_name(member.options["values"])
     given = member.command.parameters[-1]
     leading = "".join(f", {p.name}" for p in member.command.parameters[:-1])
@@ -91,9 +98,12 @@ def values_body(policy, member):
     if given.is_pointer:
         return (f"    const ParameterValues values({given.name}, {count}(pname));\n"
                 f"    Do::{member.core.short}(*ctx{leading}, values.data());\n")
-    return (f"    if ({count}(pname).size > 1) {{\n"
-            f'        return Do::error(*ctx, GL_INVALID_ENUM, "pname takes a vector");\n    }}\n'
-            f"    const ParameterValues values(&{given.name}, {count}(pname));\n"
+    refusal = ""
+    if member.options.get("refuses"):
+        refusal = (f"    if (!Do::kRecords && {count}(pname).size > 1)\n"
+                   f'        return Do::error(*ctx, {place(policy, member)}, GL_INVALID_ENUM, "pname takes a vector");\n')
+    return (f"{refusal}    const {given.type} vector[4] = {{{given.name}}};\n"
+            f"    const ParameterValues values(vector, {count}(pname));\n"
             f"    Do::{member.core.short}(*ctx{leading}, values.data());\n")
 
 
@@ -111,7 +121,7 @@ def forward_body(policy, member):
     given = {p.name: p.type for p in member.command.parameters}
     wanted = {p.name for p in member.core.parameters}
     checks = "".join(
-        f'    if ({p.name} < 0) return Do::error(*ctx, GL_INVALID_VALUE, "{p.name} is negative");\n'
+        f'    if ({p.name} < 0) return Do::error(*ctx, {place(policy, member)}, GL_INVALID_VALUE, "{p.name} is negative");\n'
         for p in member.command.parameters if p.type == "GLsizei" and p.name not in wanted)
     arguments = []
     for p in member.core.parameters:
@@ -131,7 +141,7 @@ def thunk(policy, member):
     used = [p for p in command.parameters if re.search(rf"\b{p.name}\b", body)]
     parameters = "".join(f", {p.type} {p.name if p in used else ''}".rstrip() for p in command.parameters)
     return (f"template <class Do>\n{command.result} {command.short}(Context* ctx{parameters}) noexcept {{\n"
-            f"{null_check(policy, command)}{body}}}\n")
+            f"{null_check(policy, member)}{body}}}\n")
 
 
 def thunks_header(policy, banner):

@@ -9,10 +9,12 @@ from .dispatch import BANNER, named_parameters
 
 IMAGE_PARAMETERS = {"pixels", "bitmap", "mask"}
 
-# A form that is known to fail when it is compiled; the error belongs to the call of the list.
+# A form that is known to fail when it is compiled; the error belongs to the call of the list. GL_NO_ERROR stands for
+# one that does nothing but is not allowed everywhere.
 ERROR_RECORD = """struct ErrorRecord {
     static constexpr Opcode kOpcode = Opcode::kError;
     RecordHeader header;
+    Allowed allowed;
     GLenum code;
     const char* rule;
 };
@@ -41,7 +43,7 @@ def record_struct(command):
 def records_header(policy):
     names = [c.short for c in commands(policy)]
     opcodes = "".join(f"    k{name},\n" for name in ["Error", "Primitives", "Arrays", *names])
-    lines = [BANNER, "#pragma once\n", '#include <GL/gl.h>\n\n#include "gl/list_record.h"\n',
+    lines = [BANNER, "#pragma once\n", '#include <GL/gl.h>\n\n#include "gl/error.h"\n#include "gl/list_record.h"\n',
              "namespace terrazzo::gl {\n", f"enum class Opcode : std::uint16_t {{\n{opcodes}}};\n"]
     lines += [ERROR_RECORD, *[record_struct(c) for c in commands(policy)]]
     lines.append("}  // namespace terrazzo::gl")
@@ -133,7 +135,8 @@ def recorder(policy, command):
 def compile_header(policy):
     """What the thunks do while a list is compiled."""
     lines = [BANNER, "#pragma once\n", '#include "gl/call.h"\n', "namespace terrazzo::gl {\n", "struct Compile {",
-             "    static void error(Context& ctx, GLenum code, const char* rule);"]
+             "    static constexpr bool kRecords = true;",
+             "    static void error(Context& ctx, Allowed allowed, GLenum code, const char* rule);"]
     for member in policy.members:
         if member.kind == "core" and policy.listable(member.command):
             lines.append(f"    static void {member.command.short}(Context& ctx{named_parameters(member.command)});")
