@@ -2,6 +2,9 @@
 // of the buffers drawn to. The scissor cuts it, nothing else of the fragments' way touches it.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "gl/context.h"
@@ -55,14 +58,58 @@ struct Between {
     }
 };
 
+// A target that holds what the selected colour buffer of another does, and neither depth nor stencil.
+std::unique_ptr<raster::Target> copy_of_colors(raster::Target& from) {
+    raster::TargetFormat format = from.format();
+    format.depth_bits = format.stencil_bits = 0;
+    auto out = std::make_unique<raster::Target>(from.width(), from.height(), format);
+    const auto bytes = static_cast<size_t>(raster::kBinPixels) *
+                       static_cast<size_t>(raster::bytes_per_pixel(format.color)) * format.samples;
+    for (int i = 0; i < from.bin_count(); ++i) {
+        from.materialize(i);
+        out->materialize(i);
+        const raster::Bin source = from.bin(i), copy = out->bin(i);
+        std::memcpy(copy.color, source.color, bytes);
+        if (source.color_alike) std::memcpy(copy.color_alike, source.color_alike, raster::kBinTiles);
+    }
+    return out;
+}
+
 class Blit {
   public:
-    Blit(Context& ctx, const ReadSource& source, const Axis& across, const Axis& up)
-        : m_source(source), m_to(*ctx.surface.draw->target()), m_across(across), m_up(up) {}
+    // Depth and stencil come from `source`, colours from `colors`, which may be the same.
+    Blit(raster::Target& source, raster::Target& colors, raster::Target& to, const Axis& across,
+         const Axis& up)
+        : m_source(source), m_colors(colors), m_to(to), m_across(across), m_up(up) {}
 
+    void colors(GLenum filter) const { filter == GL_LINEAR ? linear_colors() : nearest_colors(); }
+    void depths() const {
+        std::vector<uint32_t> from, to;
+        copy(
+            m_source, from, to, 1,
+            [&](int row) { pipeline::read_depth(m_source, m_across.low, row, width(), from.data()); },
+            [&](int row) { pipeline::write_depth(m_to, m_across.first, row, count(), to.data()); });
+    }
+    void stencils() const {
+        std::vector<uint8_t> from, to;
+        copy(
+            m_source, from, to, 1,
+            [&](int row) { pipeline::read_stencil(m_source, m_across.low, row, width(), from.data()); },
+            [&](int row) { pipeline::write_stencil(m_to, m_across.first, row, count(), to.data()); });
+    }
+    // All samples as they are, from one multisampled buffer to another.
+    void samples(raster::ClearPlanes planes) const {
+        raster::Target& from = planes.color ? m_colors : m_source;
+        for (int y = m_up.first; y < m_up.last; ++y)
+            for (int x = m_across.first; x < m_across.last; ++x)
+                pipeline::copy_samples({from, m_across.nearest(x), from.row(m_up.nearest(y))},
+                                       {m_to, x, m_to.row(y)}, planes);
+    }
+
+  private:
     // Bytes for bytes, neither scaled nor turned.
     bool copies_bytes() const {
-        const raster::TargetFormat &from = m_source.target().format(), &to = m_to.format();
+        const raster::TargetFormat &from = m_colors.format(), &to = m_to.format();
         return from.color == raster::ColorFormat::kRgba8 && to.color == raster::ColorFormat::kRgba8 &&
                from.has_alpha && m_across.keeps_size() && m_up.keeps_size();
     }
@@ -71,12 +118,11 @@ class Blit {
         std::vector<uint8_t> rows(4 * width * raster::kBinSize);
         const auto stride = static_cast<std::ptrdiff_t>(4 * width);
         // As many rows at a time as lie in one row of the source's bins.
-        const int first = m_source.target().row(m_up.nearest(m_up.first)),
-                  last = m_source.target().row(m_up.nearest(m_up.last - 1));
+        const int first = m_colors.row(m_up.nearest(m_up.first)),
+                  last = m_colors.row(m_up.nearest(m_up.last - 1));
         for (int low = std::min(first, last), end = std::max(first, last) + 1, next; low < end; low = next) {
             next = std::min(end, (low / raster::kBinSize + 1) * raster::kBinSize);
-            pipeline::read_rgba8_rect(m_source.target(),
-                                      {m_across.nearest(m_across.first), low, count(), next - low},
+            pipeline::read_rgba8_rect(m_colors, {m_across.nearest(m_across.first), low, count(), next - low},
                                       rows.data(), stride);
             for (int row = low; row < next; ++row) {
                 const int above = std::abs(row - first);
@@ -89,47 +135,18 @@ class Blit {
         if (copies_bytes()) return copy_bytes();
         std::vector<float> from, to;
         copy(
-            from, to, 4,
-            [&](int row) {
-                pipeline::read_color_float(m_source.target(), m_across.low, row, width(), from.data());
-            },
+            m_colors, from, to, 4,
+            [&](int row) { pipeline::read_color_float(m_colors, m_across.low, row, width(), from.data()); },
             [&](int row) { pipeline::write_color(m_to, m_across.first, row, count(), to.data()); });
-    }
-    void depths() const {
-        std::vector<uint32_t> from, to;
-        copy(
-            from, to, 1,
-            [&](int row) {
-                pipeline::read_depth(m_source.target(), m_across.low, row, width(), from.data());
-            },
-            [&](int row) { pipeline::write_depth(m_to, m_across.first, row, count(), to.data()); });
-    }
-    void stencils() const {
-        std::vector<uint8_t> from, to;
-        copy(
-            from, to, 1,
-            [&](int row) {
-                pipeline::read_stencil(m_source.target(), m_across.low, row, width(), from.data());
-            },
-            [&](int row) { pipeline::write_stencil(m_to, m_across.first, row, count(), to.data()); });
-    }
-    // All samples as they are, from one multisampled buffer to another.
-    void samples(raster::ClearPlanes planes) const {
-        for (int y = m_up.first; y < m_up.last; ++y)
-            for (int x = m_across.first; x < m_across.last; ++x)
-                pipeline::copy_samples(
-                    {m_source.target(), m_across.nearest(x), m_source.target().row(m_up.nearest(y))},
-                    {m_to, x, m_to.row(y)}, planes);
     }
     void linear_colors() const {
         std::vector<float> low(4 * static_cast<size_t>(width())), high(low),
             to(4 * static_cast<size_t>(count()));
         for (int y = m_up.first; y < m_up.last; ++y) {
             const Between rows(m_up, y);
-            pipeline::read_color_float(m_source.target(), m_across.low, m_source.target().row(rows.first),
-                                       width(), low.data());
-            pipeline::read_color_float(m_source.target(), m_across.low, m_source.target().row(rows.second),
-                                       width(), high.data());
+            pipeline::read_color_float(m_colors, m_across.low, m_colors.row(rows.first), width(), low.data());
+            pipeline::read_color_float(m_colors, m_across.low, m_colors.row(rows.second), width(),
+                                       high.data());
             for (int x = 0; x < count(); ++x) {
                 const Between columns(m_across, m_across.first + x);
                 const auto a = 4 * static_cast<size_t>(columns.first - m_across.low),
@@ -144,16 +161,16 @@ class Blit {
         }
     }
 
-  private:
     int width() const { return m_across.high - m_across.low; }
     int count() const { return m_across.last - m_across.first; }
 
     template <typename T, typename Read, typename Write>
-    void copy(std::vector<T>& from, std::vector<T>& to, size_t components, Read read, Write write) const {
+    void copy(const raster::Target& source, std::vector<T>& from, std::vector<T>& to, size_t components,
+              Read read, Write write) const {
         from.resize(components * static_cast<size_t>(width()));
         to.resize(components * static_cast<size_t>(count()));
         for (int y = m_up.first; y < m_up.last; ++y) {
-            read(m_source.target().row(m_up.nearest(y)));
+            read(source.row(m_up.nearest(y)));
             for (int x = 0; x < count(); ++x) {
                 const auto column = static_cast<size_t>(m_across.nearest(m_across.first + x) - m_across.low);
                 std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(components * column), components,
@@ -163,10 +180,27 @@ class Blit {
         }
     }
 
-    const ReadSource& m_source;
-    raster::Target& m_to;
+    raster::Target &m_source, &m_colors, &m_to;
     const Axis &m_across, &m_up;
 };
+
+// Whether DrawBuffer chose both colour buffers of the drawable.
+bool draws_both_colors(const Context& ctx) {
+    const GLenum buffer = ctx.framebuffer.draw_buffer;
+    return ctx.surface.draw->is_double_buffered() && (buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT);
+}
+
+// Does something for each colour buffer that DrawBuffer chose, while it is the target's.
+template <typename Do>
+void for_each_drawn_color(const Context& ctx, Do draw) {
+    draw();
+    if (!draws_both_colors(ctx)) return;
+    Drawable& drawable = *ctx.surface.draw;
+    const ColorBuffer selected = drawable.selected();
+    drawable.select(selected == ColorBuffer::kFront ? ColorBuffer::kBack : ColorBuffer::kFront);
+    draw();
+    drawable.select(selected);
+}
 
 }  // namespace
 
@@ -194,17 +228,31 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
                            std::abs(int64_t{srcY1} - srcY0) == std::abs(int64_t{dstY1} - dstY0);
     if ((from.samples > 1 || to.samples > 1) && !same_size)
         return record_error(ctx, GL_INVALID_OPERATION, "samples are not scaled");
-    const ReadSource source(ctx);
+    const std::shared_ptr<raster::Target> target = ctx.surface.draw->target();
+    std::optional<ReadSource> source(std::in_place, ctx);
+    raster::Target& read = source->target();
     pipeline::RasterState box;
     scissor_box(ctx, box);
-    const Axis across(srcX0, srcX1, dstX0, dstX1, source.target().width(), box.x0, box.x1);
+    const Axis across(srcX0, srcX1, dstX0, dstX1, read.width(), box.x0, box.x1);
     const raster::RowRange rows = ctx.surface.rows(box.y0, box.y1);
-    const Axis up(srcY0, srcY1, dstY0, dstY1, source.target().height(), static_cast<int>(rows.first),
+    const Axis up(srcY0, srcY1, dstY0, dstY1, read.height(), static_cast<int>(rows.first),
                   static_cast<int>(rows.end));
     if (across.first >= across.last || up.first >= up.last) return;
-    const Blit blit(ctx, source, across, up);
-    if (from.samples > 1 && to.samples > 1) return blit.samples({color, depth, stencil});
-    if (color) filter == GL_LINEAR ? blit.linear_colors() : blit.nearest_colors();
+    // Only one of a drawable's two colour buffers can be had at a time.
+    std::unique_ptr<raster::Target> aside;
+    if (color && &read == target.get() &&
+        (draws_both_colors(ctx) || read_color_buffer(ctx) != drawn_color_buffer(ctx)))
+        aside = copy_of_colors(read);
+    const Blit blit(read, aside ? *aside : read, *target, across, up);
+    const bool keeps_samples = from.samples > 1 && to.samples > 1;
+    if (aside) source.reset();
+    if (color) {
+        for_each_drawn_color(ctx, [&] {
+            keeps_samples ? blit.samples({true, false, false}) : blit.colors(filter);
+        });
+    }
+    if (!depth && !stencil) return;
+    if (keeps_samples) return blit.samples({false, depth, stencil});
     if (depth) blit.depths();
     if (stencil) blit.stencils();
 }

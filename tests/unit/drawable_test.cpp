@@ -271,5 +271,47 @@ TEST_F(DrawableTest, OtherDrawablesAndNone) {
     EXPECT_EQ(viewport[2], kSize);
 }
 
+TEST_F(DrawableTest, BlitsBetweenItsOwnBuffers) {
+    open(Buffering::kDouble);
+    const auto blit = [&](GLenum from, GLenum to, GLenum filter) {
+        glReadBuffer(from);
+        glDrawBuffer(to);
+        glBlitFramebuffer(0, 0, kSize, kSize, 0, 0, kSize, kSize, GL_COLOR_BUFFER_BIT, filter);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    };
+    for (const GLenum filter : {GL_NEAREST, GL_LINEAR}) {
+        glDrawBuffer(GL_BACK);
+        clear_to(kGreen);
+        blit(GL_BACK, GL_FRONT, filter);
+        glDrawBuffer(GL_BACK);
+        clear_to(kRed);
+        EXPECT_EQ(read(GL_FRONT), kGreen);
+        EXPECT_EQ(read(GL_FRONT, 0, 0), kGreen);
+        EXPECT_EQ(read(GL_BACK), kRed);
+        blit(GL_FRONT, GL_BACK, filter);
+        EXPECT_EQ(read(GL_BACK), kGreen);
+        EXPECT_EQ(read(GL_FRONT), kGreen);
+    }
+}
+
+TEST_F(DrawableTest, BlitsReachBothBuffers) {
+    open(Buffering::kDouble);
+    glDrawBuffer(GL_BACK);
+    clear_to(kGreen);
+    glReadBuffer(GL_BACK);
+    glDrawBuffer(GL_FRONT_AND_BACK);
+    // The lower left pixels go to the upper right.
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 10, 10);
+    clear_to(kBlue);
+    glDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, 10, 10, kSize - 10, kSize - 10, kSize, kSize, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    EXPECT_EQ(read(GL_BACK), kBlue);
+    EXPECT_EQ(read(GL_FRONT), kBlue);
+    EXPECT_EQ(read(GL_BACK, 50, 50), kGreen);
+    EXPECT_EQ(read(GL_FRONT, 50, 50), kShown);
+}
+
 }  // namespace
 }  // namespace terrazzo::gl
