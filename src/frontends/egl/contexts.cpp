@@ -23,10 +23,19 @@ struct Request {
     EGLint release_behavior = EGL_CONTEXT_RELEASE_BEHAVIOR_FLUSH_KHR;
 };
 
+// What is specified for contexts of OpenGL alone (EGL 1.5 §3.7.1, EGL_KHR_create_context).
+bool is_for_opengl(EGLint attribute, EGLint value) {
+    return attribute == EGL_CONTEXT_OPENGL_PROFILE_MASK ||
+           attribute == EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE ||
+           (attribute == EGL_CONTEXT_FLAGS_KHR && value != 0);
+}
+
 // EGL_SUCCESS, or why the list is refused.
 EGLint parse(const EGLint* list, Request& out) {
+    const bool is_opengl = egl::current_api() == EGL_OPENGL_API;
     for (; list && *list != EGL_NONE; list += 2) {
         const EGLint value = list[1];
+        if (!is_opengl && is_for_opengl(list[0], value)) return EGL_BAD_ATTRIBUTE;
         switch (list[0]) {
             case EGL_CONTEXT_MAJOR_VERSION:
                 out.major = value;
@@ -69,6 +78,7 @@ EGLint parse(const EGLint* list, Request& out) {
     }
     const int version = out.major * 10 + out.minor;
     if (out.major < 1 || out.minor < 0 || out.minor > 9) return EGL_BAD_MATCH;
+    if (!is_opengl && version > 11) return EGL_BAD_MATCH;
     // Profiles began with OpenGL 3.2; the mask is ignored before.
     if (version >= 32 && out.profile != EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT) return EGL_BAD_MATCH;
     if (version < 30 && out.forward_compatible) return EGL_BAD_MATCH;
@@ -139,13 +149,14 @@ EGLenum eglQueryAPI() {
     return egl::current_api();
 }
 
+// A program that has not said which API it draws with means OpenGL ES 1: the commands that it draws with are
+// OpenGL's too, so it gets one of OpenGL's contexts. parse() refuses later versions.
 EGLContext eglCreateContext(EGLDisplay handle, EGLConfig config_handle, EGLContext share,
                             const EGLint* attributes) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_NO_CONTEXT;
     const egl::Config* const config = display->find(config_handle);
     if (config_handle != EGL_NO_CONFIG_KHR && !config) return egl::fail(EGL_BAD_CONFIG);
-    if (egl::current_api() != EGL_OPENGL_API) return egl::fail(EGL_BAD_MATCH);
     const auto partner = find_context(*display, share);
     if (share != EGL_NO_CONTEXT && !partner) return egl::fail(EGL_BAD_CONTEXT);
     Request wanted;

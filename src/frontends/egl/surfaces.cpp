@@ -57,6 +57,8 @@ EGLSurface create_native(EGLDisplay handle, EGLConfig config_handle, std::uint32
     if (!display) return EGL_NO_SURFACE;
     const bool is_window = kind == egl::Kind::kWindow;
     const EGLint no_drawable = is_window ? EGL_BAD_NATIVE_WINDOW : EGL_BAD_NATIVE_PIXMAP;
+    // There are no native ones, so whatever was given is none (EGL_MESA_platform_surfaceless).
+    if (display->platform == egl::Platform::kSurfaceless) return egl::fail(no_drawable);
     const egl::Config* const config = display->find(config_handle);
     if (!config) return egl::fail(EGL_BAD_CONFIG);
     if (!config->visual) return egl::fail(EGL_BAD_MATCH);
