@@ -421,10 +421,6 @@ TEST_F(Glx, CreateContextAttribs) {
     EXPECT_NE(ctx, nullptr);
     EXPECT_EQ(take_x_error(), 0);
     glXDestroyContext(display, ctx);
-    const int core[] = {GLX_CONTEXT_MAJOR_VERSION_ARB, 3, GLX_CONTEXT_MINOR_VERSION_ARB, 3,
-                        GLX_CONTEXT_PROFILE_MASK_ARB, GLX_CONTEXT_CORE_PROFILE_BIT_ARB, kNone};
-    EXPECT_EQ(create(display, chosen, nullptr, 1, core), nullptr);
-    EXPECT_EQ(take_x_error(), BadMatch);
     const int no_version[] = {GLX_CONTEXT_MAJOR_VERSION_ARB, 1, GLX_CONTEXT_MINOR_VERSION_ARB, 7, kNone};
     EXPECT_EQ(create(display, chosen, nullptr, 1, no_version), nullptr);
     EXPECT_EQ(take_x_error(), BadMatch);

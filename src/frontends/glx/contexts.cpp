@@ -52,6 +52,7 @@ struct Request {
     int major = 1, minor = 0;
     int flags = 0, profile = GLX_CONTEXT_CORE_PROFILE_BIT_ARB;
     int render_type = GLX_RGBA_TYPE;
+    bool no_error = false;
 };
 
 // Empty for attributes and values that are none.
@@ -73,6 +74,7 @@ std::optional<Request> parse(const int* list) {
                 out.profile = value;
                 break;
             case GLX_RENDER_TYPE:
+                if (value != GLX_RGBA_TYPE && value != GLX_COLOR_INDEX_TYPE) return {};
                 out.render_type = value;
                 break;
             case GLX_CONTEXT_RESET_NOTIFICATION_STRATEGY_ARB:
@@ -85,6 +87,7 @@ std::optional<Request> parse(const int* list) {
                     return {};
                 break;
             case GLX_CONTEXT_OPENGL_NO_ERROR_ARB:
+                out.no_error = value != 0;
                 break;
             default:
                 return {};
@@ -96,6 +99,30 @@ std::optional<Request> parse(const int* list) {
 bool is_a_version(int major, int minor) {
     constexpr int kLastMinor[] = {5, 1, 3, 6};  // of OpenGL 1 to 4
     return major >= 1 && major <= 4 && minor >= 0 && minor <= kLastMinor[major - 1];
+}
+
+struct Refusal {
+    int code;
+    bool is_glx;
+};
+
+// Why there is no such context, if there is none: GLX_ARB_create_context's and _profile's errors.
+std::optional<Refusal> check(const Request& wanted) {
+    constexpr int kRobust = GLX_CONTEXT_ROBUST_ACCESS_BIT_ARB;
+    constexpr int kForward = GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB;
+    if (wanted.flags & ~(GLX_CONTEXT_DEBUG_BIT_ARB | kForward | kRobust)) return Refusal{BadValue, false};
+    if (!is_a_version(wanted.major, wanted.minor)) return Refusal{BadMatch, false};
+    // One profile. Versions before 3.2 have none and take either for what they are.
+    if (wanted.profile != GLX_CONTEXT_CORE_PROFILE_BIT_ARB &&
+        wanted.profile != GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB)
+        return Refusal{GLXBadProfileARB, true};
+    const int version = wanted.major * 10 + wanted.minor;
+    if (version < 30 && (wanted.flags & kForward)) return Refusal{BadMatch, false};
+    if (wanted.no_error && (wanted.flags & (GLX_CONTEXT_DEBUG_BIT_ARB | kRobust)))
+        return Refusal{BadMatch, false};
+    if (version > gl::kGlMajorVersion * 10 + gl::kGlMinorVersion) return Refusal{GLXBadFBConfig, true};
+    if (wanted.render_type != GLX_RGBA_TYPE) return Refusal{BadMatch, false};
+    return {};
 }
 
 }  // namespace
@@ -130,21 +157,7 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
         return fail(display, GLXBadFBConfig, true, 0, kMinor);
     const auto wanted = parse(attributes);
     if (!wanted) return fail(display, BadValue, false, 0, kMinor);
-    if (!is_a_version(wanted->major, wanted->minor)) return fail(display, BadMatch, false, 0, kMinor);
-    const int version = wanted->major * 10 + wanted->minor;
-    constexpr int kFlags = GLX_CONTEXT_DEBUG_BIT_ARB | GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB |
-                           GLX_CONTEXT_ROBUST_ACCESS_BIT_ARB;
-    if (wanted->flags & ~kFlags) return fail(display, BadValue, false, 0, kMinor);
-    // Profiles began with OpenGL 3.2, before that the bit is ignored; forward compatibility with 3.0.
-    if (version >= 32 && wanted->profile != GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB)
-        return fail(display, BadMatch, false, 0, kMinor);
-    if (wanted->profile & ~(GLX_CONTEXT_CORE_PROFILE_BIT_ARB | GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB))
-        return fail(display, GLXBadProfileARB, true, 0, kMinor);
-    if (version < 30 && (wanted->flags & GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB))
-        return fail(display, BadMatch, false, 0, kMinor);
-    if (version > gl::kGlMajorVersion * 10 + gl::kGlMinorVersion)
-        return fail(display, GLXBadFBConfig, true, 0, kMinor);
-    if (wanted->render_type != GLX_RGBA_TYPE) return fail(display, BadMatch, false, 0, kMinor);
+    if (const auto refusal = check(*wanted)) return fail(display, refusal->code, refusal->is_glx, 0, kMinor);
     return create(display, config, config ? config->screen : DefaultScreen(display), share_list, direct,
                   kMinor);
 } catch (const std::exception&) {
@@ -154,7 +167,7 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
 void glXDestroyContext(Display* display, GLXContext handle) {
     if (!registry().context(handle))
         return glx::send_error(display, GLXBadContext, true, 0, X_GLXDestroyContext);
-    // A thread that has it current keeps it.
+    // A thread that has it current keeps it; to destroy it again then does nothing.
     registry().remove(handle);
 }
 

@@ -79,13 +79,14 @@ void Registry::forget(::Display* display) {
 std::shared_ptr<Context> Registry::context(GLXContext handle) {
     const std::lock_guard lock(m_mutex);
     const auto known = m_contexts.find(handle);
-    return known == m_contexts.end() ? nullptr : known->second;
+    return known == m_contexts.end() ? nullptr : known->second.living.lock();
 }
 
 GLXContext Registry::add(std::shared_ptr<Context> context) {
     const std::lock_guard lock(m_mutex);
+    std::erase_if(m_contexts, [](const auto& known) { return known.second.living.expired(); });
     const GLXContext handle = context.get();
-    m_contexts.emplace(handle, std::move(context));
+    m_contexts.insert_or_assign(handle, KnownContext{context, context});
     return handle;
 }
 
@@ -93,9 +94,7 @@ void Registry::remove(GLXContext handle) {
     std::shared_ptr<Context> last;  // dies without the lock
     const std::lock_guard lock(m_mutex);
     const auto known = m_contexts.find(handle);
-    if (known == m_contexts.end()) return;
-    last = std::move(known->second);
-    m_contexts.erase(known);
+    if (known != m_contexts.end()) last = std::move(known->second.owner);
 }
 
 std::shared_ptr<Drawable> Registry::drawable(DisplayState& display, GLXDrawable name) {

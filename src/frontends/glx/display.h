@@ -72,7 +72,8 @@ class Registry {
     // Null when nothing is known of it: it need not be open.
     std::shared_ptr<DisplayState> find_display(::Display* display);
 
-    // Null for what is no context of ours.
+    // Null for what is no context of ours. One that was removed is one as long as a thread has it current
+    // (GLX 1.4 §3.3.7).
     std::shared_ptr<Context> context(GLXContext handle);
     GLXContext add(std::shared_ptr<Context> context);
     void remove(GLXContext handle);
@@ -93,9 +94,14 @@ class Registry {
     static int close_display(::Display* display, XExtCodes* codes);
     void forget(::Display* display);
 
+    struct KnownContext {
+        std::shared_ptr<Context> owner;  // null once it was removed
+        std::weak_ptr<Context> living;
+    };
+
     std::mutex m_mutex;
     std::map<::Display*, std::shared_ptr<DisplayState>> m_displays;
-    std::map<GLXContext, std::shared_ptr<Context>> m_contexts;
+    std::map<GLXContext, KnownContext> m_contexts;
 };
 
 Registry& registry();

@@ -135,6 +135,10 @@ void destroy(Display* display, GLXDrawable name, glx::Kind kind, int error, int 
     if (!drawable || drawable->kind != kind || drawable->is_x_window)
         return glx::send_error(display, error, true, name, minor);
     registry().remove(*state, name);
+    // A window that is destroyed takes its GLXWindow along.
+    const auto id = static_cast<xcb_drawable_t>(drawable->server_id);
+    if (kind == glx::Kind::kWindow && !x11::geometry(state->connection.xcb, id))
+        glx::send_error(display, error, true, name, minor);
 }
 
 struct PbufferRequest {
