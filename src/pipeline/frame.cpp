@@ -62,23 +62,80 @@ void Arena::reset() {
     m_next = nullptr;
 }
 
+bool Arena::is_after(const Mark& mark, const void* memory) const {
+    const auto address = reinterpret_cast<uintptr_t>(memory);
+    const auto is_between = [&](const std::byte* first, const std::byte* end) {
+        return address >= reinterpret_cast<uintptr_t>(first) && address < reinterpret_cast<uintptr_t>(end);
+    };
+    if (mark.used_blocks != 0 && is_between(mark.next, mark.next + mark.left)) return true;
+    for (size_t i = mark.used_blocks; i < m_used_blocks; ++i) {
+        const std::byte* const block = m_blocks[i].get();
+        if (is_between(block, block + kBlockSize)) return true;
+    }
+    return false;
+}
+
+void Arena::rewind(const Mark& mark) {
+    m_used_blocks = mark.used_blocks;
+    m_next = mark.next;
+    m_left = mark.left;
+}
+
 void Frame::begin(std::shared_ptr<raster::Target> target) {
+    const size_t count = target ? static_cast<size_t>(target->bin_count()) : 0;
+    std::vector<BinList> bins(count);
+    std::vector<int> touched;
+    touched.reserve(count);
     draw();
     m_target = std::move(target);
-    m_bins.assign(m_target ? static_cast<size_t>(m_target->bin_count()) : 0, {});
+    m_bins = std::move(bins);
+    m_touched = std::move(touched);
+}
+
+// For one more command.
+void Frame::make_room(int bin) {
+    BinList& list = m_bins[static_cast<size_t>(bin)];
+    if (list.last != nullptr && list.last->count < std::size(list.last->commands)) return;
+    Chunk* const chunk = new (m_arena.allocate(sizeof(Chunk))) Chunk;
+    chunk->next = nullptr;
+    chunk->count = 0;
+    (list.last ? list.last->next : list.first) = chunk;
+    list.last = chunk;
 }
 
 void Frame::push(int bin, uintptr_t command) {
-    BinList& list = m_bins[static_cast<size_t>(bin)];
-    if (list.last == nullptr || list.last->count == std::size(list.last->commands)) {
-        Chunk* const chunk = new (m_arena.allocate(sizeof(Chunk))) Chunk;
-        chunk->next = nullptr;
-        chunk->count = 0;
-        (list.last ? list.last->next : list.first) = chunk;
-        list.last = chunk;
-    }
-    list.last->commands[list.last->count++] = command;
+    make_room(bin);
+    Chunk& chunk = *m_bins[static_cast<size_t>(bin)].last;
+    chunk.commands[chunk.count++] = command;
     ++m_commands;
+}
+
+// What was queued since the mark lies behind it in the arena, and at the ends of the lists.
+void Frame::take_back(const Mark& mark) {
+    if (!still_holds(mark)) return reset();
+    const auto is_new = [&](uintptr_t address) {
+        return m_arena.is_after(mark.arena, reinterpret_cast<const void*>(address));
+    };
+    for (BinList& list : m_bins) {
+        BinList kept;
+        for (Chunk* chunk = list.first; chunk && !is_new(reinterpret_cast<uintptr_t>(chunk));
+             chunk = chunk->next) {
+            if (!kept.first) kept.first = chunk;
+            kept.last = chunk;
+        }
+        if (kept.last) {
+            Chunk& last = *kept.last;
+            last.next = nullptr;
+            while (last.count > 0 && is_new(last.commands[last.count - 1] & ~kClearTag)) --last.count;
+        }
+        list = kept;
+    }
+    m_arena.rewind(mark.arena);
+    m_kept.resize(mark.kept);
+    m_kept_bytes = mark.kept_bytes;
+    m_sample_counters.resize(mark.counters);
+    m_commands = mark.commands;
+    m_primitives = mark.primitives;
 }
 
 void Frame::add(const Primitive& primitive) {
@@ -104,15 +161,23 @@ void Frame::add(const BinClear& clear) {
     const bool everything = clear.planes.color && (clear.planes.depth || format.depth_bits == 0) &&
                             (clear.planes.stencil || format.stencil_bits == 0);
     const int across = m_target->bins_across();
-    for (int row = clear.y0 / kBinSize; row <= (clear.y1 - 1) / kBinSize; ++row) {
-        for (int column = clear.x0 / kBinSize; column <= (clear.x1 - 1) / kBinSize; ++column) {
-            const int bin = row * across + column;
-            if (everything && m_sample_counters.empty() &&
-                raster::clears_whole_bin(clear, *m_target, column * kBinSize, row * kBinSize))
-                m_bins[static_cast<size_t>(bin)] = {};  // what was to be drawn here will not be seen
-            push(bin, command);
+    const auto for_each_bin = [&](auto visit) {
+        for (int row = clear.y0 / kBinSize; row <= (clear.y1 - 1) / kBinSize; ++row)
+            for (int column = clear.x0 / kBinSize; column <= (clear.x1 - 1) / kBinSize; ++column)
+                visit(column, row, row * across + column);
+    };
+    for_each_bin([&](int, int, int bin) { make_room(bin); });
+    for_each_bin([&](int column, int row, int bin) {
+        BinList& list = m_bins[static_cast<size_t>(bin)];
+        if (everything && m_sample_counters.empty() &&
+            raster::clears_whole_bin(clear, *m_target, column * kBinSize, row * kBinSize)) {
+            // What was to be drawn here will not be seen.
+            list.last = list.first;
+            list.first->next = nullptr;
+            list.first->count = 0;
         }
-    }
+        push(bin, command);
+    });
 }
 
 void Frame::draw_bin(int index) const {
@@ -138,16 +203,17 @@ void Frame::draw_bin(int index) const {
     if (bin.samples_passed) m_samples_passed.fetch_add(bin.samples_passed, std::memory_order_relaxed);
 }
 
-void Frame::draw_bins() const {
-    std::vector<int> bins;
+void Frame::draw_bins() {
+    m_touched.clear();
     for (size_t i = 0; i < m_bins.size(); ++i)
-        if (m_bins[i].first != nullptr) bins.push_back(static_cast<int>(i));
+        if (m_bins[i].first != nullptr) m_touched.push_back(static_cast<int>(i));
     // A handful of commands is drawn sooner than a thread wakes up.
     constexpr size_t kFewCommands = 32;
     if (m_commands <= kFewCommands) {
-        for (const int bin : bins) draw_bin(bin);
+        for (const int bin : m_touched) draw_bin(bin);
     } else {
-        run_parallel(static_cast<int>(bins.size()), [&](int i) { draw_bin(bins[static_cast<size_t>(i)]); });
+        run_parallel(static_cast<int>(m_touched.size()),
+                     [this](int i) { draw_bin(m_touched[static_cast<size_t>(i)]); });
     }
 }
 
@@ -195,6 +261,7 @@ void Frame::reset() {
     m_primitives = 0;
     m_samples_passed = 0;
     m_commands = 0;
+    ++m_frame;
 }
 
 }  // namespace terrazzo::pipeline

@@ -39,6 +39,18 @@ class Arena {
     // Takes everything back; blocks are kept for the next frame, but no more than the last ones needed.
     void reset();
 
+    // How far the memory is handed out.
+    struct Mark {
+        size_t used_blocks;
+        std::byte* next;
+        size_t left;
+    };
+    Mark mark() const { return {m_used_blocks, m_next, m_left}; }
+    // Whether memory was handed out after the mark was taken.
+    bool is_after(const Mark& mark, const void* memory) const;
+    // Takes back what was handed out since.
+    void rewind(const Mark& mark);
+
   private:
     void next_block();
 
@@ -54,7 +66,7 @@ class Frame {
     // that their textures have given up. All together stays far below 256 MB.
     static constexpr size_t kMaxBytes = 64u << 20;
 
-    // Draws what is queued, then begins anew on `target`.
+    // Draws what is queued, then begins anew on `target`. Throws std::bad_alloc and changes nothing then.
     void begin(std::shared_ptr<raster::Target> target);
     const std::shared_ptr<raster::Target>& target() const { return m_target; }
 
@@ -65,6 +77,22 @@ class Frame {
     }
     size_t command_count() const { return m_commands; }
     Arena& arena() { return m_arena; }
+
+    // What is queued at the moment, for taking back what is queued after it.
+    struct Mark {
+        Arena::Mark arena;
+        size_t kept, kept_bytes, commands, primitives, counters;
+        uint64_t frame;
+    };
+    Mark mark() const {
+        return {m_arena.mark(),           m_kept.size(), m_kept_bytes, m_commands, m_primitives,
+                m_sample_counters.size(), m_frame};
+    }
+    // Whether nothing has been drawn since the mark was taken.
+    bool still_holds(const Mark& mark) const { return mark.frame == m_frame; }
+    // Forgets what was queued since. Of a frame that has been drawn meanwhile everything: it was queued
+    // later. A clear that had become part of the frame stays.
+    void take_back(const Mark& mark);
 
     // Keeps a fragment state alive until the frame has been drawn.
     void keep(std::shared_ptr<const FragmentBlock> block) {
@@ -79,9 +107,10 @@ class Frame {
         m_kept_bytes += bytes;
     }
 
-    // Into the lists of all bins that the primitive's rectangle touches, less those an edge shuts out.
+    // Into the lists of all bins that the primitive's rectangle touches, less those an edge shuts out. Throws
+    // std::bad_alloc, and may be in some of the lists then.
     void add(const raster::Primitive& primitive);
-    // A clear of a rectangle of pixels through masks.
+    // A clear of a rectangle of pixels through masks. Throws std::bad_alloc and changes nothing then.
     void add(const raster::BinClear& clear);
 
     // Everything drawn from now on goes to both colour buffers of the target, of which the depth test sees
@@ -89,7 +118,8 @@ class Frame {
     void draw_to_both_colors(bool both) { m_both = both; }
     bool draws_to_both_colors() const { return m_both; }
 
-    // Draws everything queued, on all threads, and forgets it.
+    // Draws everything queued, on all threads, and forgets it. Needs no memory, but for drawing to both
+    // colour buffers: throws std::bad_alloc then, before anything is drawn.
     void draw();
     // The same, and hands each bin of the target over to `finished` as soon as its pixels are done, while
     // they are still in the cache of the thread that drew them. `finished` may run on several threads at a
@@ -109,19 +139,22 @@ class Frame {
         Chunk* last = nullptr;
     };
 
+    void make_room(int bin);
     void push(int bin, uintptr_t command);
     void draw_bin(int index) const;
-    void draw_bins() const;
+    void draw_bins();
     void draw_other_color();
     void reset();
 
     std::shared_ptr<raster::Target> m_target;
     Arena m_arena;
     std::vector<BinList> m_bins;
+    std::vector<int> m_touched;  // bins with something to draw; has room for all
     std::vector<std::shared_ptr<const void>> m_kept;
     size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;
     size_t m_primitives = 0;
+    uint64_t m_frame = 0;  // how many were drawn before
     bool m_both = false;
     std::vector<uint64_t*> m_sample_counters;  // of queued occlusion queries
     mutable std::atomic<uint64_t> m_samples_passed =

@@ -11,6 +11,32 @@
 
 namespace terrazzo::pipeline {
 
+// Has `add` queue something, all of it or nothing. Where there is no memory for it that of the frame serves,
+// which is drawn for that.
+template <typename Add>
+void Renderer::queue(Add add) {
+    if (m_frame.full()) m_frame.draw();
+    const Frame::Mark before = m_frame.mark();
+    const uint32_t stipple_counter = m_stipple_counter;
+    try {
+        return add();
+    } catch (const std::bad_alloc&) {
+        const bool whole = m_frame.still_holds(before);
+        m_frame.take_back(before);
+        m_stipple_counter = stipple_counter;
+        if (!whole || m_frame.empty()) throw;
+    }
+    m_frame.draw();
+    const Frame::Mark nothing = m_frame.mark();
+    try {
+        add();
+    } catch (const std::bad_alloc&) {
+        m_frame.take_back(nothing);
+        m_stipple_counter = stipple_counter;
+        throw;
+    }
+}
+
 void Renderer::set_target(std::shared_ptr<raster::Target> target) {
     if (target != m_frame.target()) m_frame.begin(std::move(target));
 }
@@ -26,7 +52,9 @@ void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveM
     if (m_frame.target() == nullptr) return;
     const FloatEnvironment environment;
     const StageTimer timer(statistics.vertex_nanoseconds);
-    PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
+    queue([&] {
+        PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
+    });
 }
 
 void Renderer::observe(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
@@ -39,10 +67,14 @@ void Renderer::observe(const DrawState& state, const VertexInput& input, Primiti
 void Renderer::draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
                     const PixelRect& rect) {
     if (m_frame.target() == nullptr) return;
+    queue([&] { add(raster, fragment, rect); });
+}
+
+void Renderer::add(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
+                   const PixelRect& rect) {
     const int32_t x0 = std::max(rect.x0, raster.x0), x1 = std::min(rect.x1, raster.x1);
     const int32_t y0 = std::max(rect.y0, raster.y0), y1 = std::min(rect.y1, raster.y1);
     if (x0 >= x1 || y0 >= y1) return;
-    if (m_frame.full()) m_frame.draw();
     m_frame.keep(fragment);
     const raster::FragmentState& state = fragment->point;
     const int plane_count = 2 + state.varyings.count;
@@ -73,8 +105,7 @@ void Renderer::draw(const RasterState& raster, const std::shared_ptr<const Fragm
 
 void Renderer::clear(const raster::BinClear& clear) {
     if (m_frame.target() == nullptr) return;
-    if (m_frame.full()) m_frame.draw();
-    m_frame.add(clear);
+    queue([&] { m_frame.add(clear); });
 }
 
 void Renderer::finish() {

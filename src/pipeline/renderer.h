@@ -79,7 +79,8 @@ struct PixelRect {
 
 class Renderer {
   public:
-    // Draws from now on go to `target`; queued ones are finished first. Null releases it.
+    // Draws from now on go to `target`; queued ones are finished first. Null releases it. Throws
+    // std::bad_alloc and changes nothing then.
     void set_target(std::shared_ptr<raster::Target> target);
     const std::shared_ptr<raster::Target>& target() const { return m_frame.target(); }
 
@@ -88,22 +89,30 @@ class Renderer {
     void draw_to_both_colors(bool both);
 
     // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws
-    // std::bad_alloc, and what was queued stays good. Draws the frame early whenever it has grown full.
+    // std::bad_alloc, and nothing of the draw is queued then. Draws the frame early whenever it has grown
+    // full, or where there is no memory for more: what is larger than a frame may have been drawn in part.
     void draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode, const VertexRange& range);
     // Shows a draw's primitives to an observer instead. Throws std::bad_alloc.
     void observe(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
                  const VertexRange& range, PrimitiveObserver& observer);
-    // Queues a rectangle of pixels with the fragment state of points. Throws std::bad_alloc.
+    // Queues a rectangle of pixels with the fragment state of points. Throws std::bad_alloc, and nothing is
+    // queued then.
     void draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
               const PixelRect& rect);
-    // Queues a clear.
+    // Queues a clear. Throws std::bad_alloc, and nothing is queued then.
     void clear(const raster::BinClear& clear);
-    // Draws everything that is queued.
+    // Draws everything that is queued. Throws std::bad_alloc where draws go to both colour buffers, and
+    // changes nothing then.
     void finish();
     // The same, with the picture copied out (pipeline/resolve.h) bin by bin as it is finished.
     void finish(PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
 
   private:
+    template <typename Add>
+    void queue(Add add);
+    void add(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
+             const PixelRect& rect);
+
     Frame m_frame;
     ShadedVertices m_vertices;
     ShadedVertices m_pivot;

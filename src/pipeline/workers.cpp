@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -99,16 +100,15 @@ Pool::~Pool() {
 Pool* g_pool = nullptr;
 std::mutex g_pool_mutex;
 
-Pool& pool() {
+// Null where there is no memory for it.
+Pool* pool() {
     const std::lock_guard lock(g_pool_mutex);
-    if (g_pool == nullptr) {
-        g_pool = new Pool;
-        static const int registered =
-            pthread_atfork([] { g_pool_mutex.lock(); }, [] { g_pool_mutex.unlock(); },
-                           [] { g_pool = nullptr, g_pool_mutex.unlock(); });
-        static_cast<void>(registered);
-    }
-    return *g_pool;
+    static bool registered = false;
+    if (!registered)
+        registered = pthread_atfork([] { g_pool_mutex.lock(); }, [] { g_pool_mutex.unlock(); },
+                                    [] { g_pool = nullptr, g_pool_mutex.unlock(); }) == 0;
+    if (registered && g_pool == nullptr) g_pool = new (std::nothrow) Pool;
+    return g_pool;
 }
 
 // Threads must be gone before the library's code is: dlclose runs this.
@@ -138,10 +138,10 @@ int thread_count() {
 void run_parallel(int count, const std::function<void(int)>& work) {
     const WithoutTraps without_traps;
     const int threads = std::min(thread_count(), count);
-    if (threads <= 1) {
-        for (int i = 0; i < count; ++i) work(i);
+    if (Pool* const threads_there = threads > 1 ? pool() : nullptr) {
+        threads_there->run(threads, count, work);
     } else {
-        pool().run(threads, count, work);
+        for (int i = 0; i < count; ++i) work(i);
     }
 }
 
