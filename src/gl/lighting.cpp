@@ -147,6 +147,20 @@ void set_material(Context& ctx, GLenum face, GLenum pname, const GLfloat* params
     }
 }
 
+// Materials that a batch streams are again those of the state.
+void restore_streamed_materials(Context& ctx) {
+    for (const GLenum face : {GL_FRONT, GL_BACK}) {
+        Material& material = face == GL_FRONT ? ctx.lighting.front : ctx.lighting.back;
+        for (const GLenum pname : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS}) {
+            const int attribute = material_attribute(face, pname);
+            if (!(ctx.vertex.batch.mask & pipeline::bit(attribute))) continue;
+            const Color4* const color = material_color(material, pname);
+            ctx.vertex.current.values[static_cast<std::size_t>(attribute)] =
+                color ? *color : Color4{material.shininess, 0, 0, 1};
+        }
+    }
+}
+
 void latch(ColorMaterial tracking, GLenum face, Material& material, const Color4& color) {
     for (GLenum pname : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION}) {
         if (is_tracked(tracking, face, pname)) *material_color(material, pname) = color;
@@ -208,8 +222,17 @@ void materialfv(Context& ctx, GLenum face, GLenum pname, const GLfloat* params) 
     if (pname == GL_SHININESS && !(*params >= 0 && *params <= kMaxShininess)) {
         return record_error(ctx, GL_INVALID_VALUE, "shininess is not in 0..128");
     }
-    if (face != GL_BACK) set_material(ctx, GL_FRONT, pname, params);
-    if (face != GL_FRONT) set_material(ctx, GL_BACK, pname, params);
+    const Material front = ctx.lighting.front, back = ctx.lighting.back;
+    try {
+        if (face != GL_BACK) set_material(ctx, GL_FRONT, pname, params);
+        if (face != GL_FRONT) set_material(ctx, GL_BACK, pname, params);
+    } catch (...) {
+        lose_open_primitives(ctx);
+        ctx.lighting.front = front;
+        ctx.lighting.back = back;
+        restore_streamed_materials(ctx);
+        throw;
+    }
 }
 
 void color_material(Context& ctx, GLenum face, GLenum mode) {

@@ -81,9 +81,13 @@ void play_batch(Context& ctx, const PrimitivesRecord& record, bool draw) {
         input.streams[stream.attribute] = {bytes + stream.offset, record.stride,
                                            pipeline::ComponentType::kFloat32, stream.components, false};
     }
+    // Runs, and the attributes after them, were commands of their own: one that memory is missing for keeps
+    // nothing else back.
     for (std::uint32_t r = 0; draw && r < record.run_count; ++r) {
         const PrimitiveRun& run = record.runs()[r];
-        draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, record.w_is_one);
+        guarded(ctx, [&] {
+            draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, record.w_is_one);
+        });
     }
     set_attributes(ctx, record.after(), record.after_count);
 }

@@ -120,6 +120,7 @@ void light_position(Context& ctx, const Vector4& object, RasterPosition& out) {
     if (!is_valid) input.constants = ctx.vertex.current.values;
     input.constants[pipeline::kPosition] = object;
     if (!same || !is_lit_from_afar(state.lighting)) {
+        lit.lighting = 0;  // until there are new ones
         if (!is_valid) validate(ctx, input, false);
         pipeline::ShadedVertices& vertices = drawing.raster_vertices;
         vertices.reserve(pipeline::kFirstVarying + 2 * state.varyings.count);

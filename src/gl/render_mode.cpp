@@ -2,6 +2,7 @@
 #include "gl/render_mode.h"
 
 #include <algorithm>
+#include <exception>
 
 #include "gl/context.h"
 #include "gl/draw.h"
@@ -155,6 +156,18 @@ void capture_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& 
     raster.point_smooth = raster.line_smooth = raster.line_stipple = raster.polygon_stipple = false;
     for (pipeline::TextureCoordinates& coordinates : state.vertex.texture) coordinates.used = false;
     state.vertex.varyings = raster::Varyings{};
+    // Where memory is short nothing of the draw has been seen.
+    struct Unseen {
+        RenderModeState& state;
+        const SelectionState selection;
+        const std::size_t written;
+        const int exceptions = std::uncaught_exceptions();
+        ~Unseen() {
+            if (std::uncaught_exceptions() == exceptions) return;
+            state.selection = selection;
+            state.feedback.written = written;
+        }
+    } const unseen{ctx.render_mode, ctx.render_mode.selection, ctx.render_mode.feedback.written};
     if (ctx.render_mode.mode == GL_SELECT) {
         HitObserver observer(ctx);
         return ctx.renderer.observe(state, input, translate_mode(mode), range, observer);

@@ -682,10 +682,10 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
     }
     const bool new_fragment = !fragment_still_fits(ctx, input, w_is_one);
     if (new_fragment) {
+        make_fragment(ctx, input, w_is_one);
         drawing.constant_color = input.constants[pipeline::kColor];
         drawing.constant_secondary = input.constants[pipeline::kSecondaryColor];
         drawing.secondary_varies = secondary_varies(ctx, input);
-        make_fragment(ctx, input, w_is_one);
     }
     if (new_fragment || ctx.dirty != 0 || drawing.streamed != input.streamed) {
         drawing.streamed = input.streamed;

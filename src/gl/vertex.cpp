@@ -2,6 +2,7 @@
 #include "gl/vertex.h"
 
 #include <algorithm>
+#include <exception>
 
 #include "gl/call.h"
 #include "gl/draw.h"
@@ -23,6 +24,9 @@ constexpr std::uint32_t kPiece = 4096;
 // where it costs more.
 constexpr std::uint32_t kLongestRun = 2 * kPiece;
 constexpr std::uint32_t kLongestConnectedBatch = 49152;
+// A batch that could not be drawn so often is given up, or a context whose batch is too large for the memory
+// there is would be stuck with it.
+constexpr int kMostFailures = 16;
 // Above this, a constant attribute that changes outside Begin and End starts a new batch instead of a stream.
 constexpr std::uint32_t kWorthKeeping = 256;
 
@@ -63,6 +67,7 @@ void set_layout(VertexState& vertex) {
     const std::size_t longest = static_cast<std::size_t>(longest_batch(vertex)) * batch.stride;
     batch.next = data + static_cast<std::size_t>(batch.count) * batch.stride;
     batch.end = data + std::min(batch.data.size(), longest);
+    if (vertex.is_lost) batch.end = batch.next;  // nothing more is collected
 }
 
 void clear_batch(VertexState& vertex) {
@@ -73,9 +78,23 @@ void clear_batch(VertexState& vertex) {
     batch.stream_count = 0;
     batch.w_is_one = true;
     batch.runs.clear();
+    batch.failures = 0;
     set_layout(vertex);
 }
 
+// Takes the batch back to its first `count` vertices.
+void truncate_batch(VertexState& vertex, std::uint32_t count) {
+    VertexBatch& batch = vertex.batch;
+    while (!batch.runs.empty() && batch.runs.back().first >= count) batch.runs.pop_back();
+    if (!batch.runs.empty()) {
+        PrimitiveRun& last = batch.runs.back();
+        last.count = std::min(last.count, count - last.first);
+    }
+    batch.count = count;
+    set_layout(vertex);
+}
+
+// Draws all runs and forgets them. Where memory is short those that have not been drawn stay.
 void draw_runs(Context& ctx) {
     VertexBatch& batch = ctx.vertex.batch;
     pipeline::VertexInput input;
@@ -87,10 +106,21 @@ void draw_runs(Context& ctx) {
     for (std::uint32_t i = 0; i < batch.stream_count; ++i)
         input.streams[batch.streams[i]] = {bytes + 4 * sizeof(float) * (i + 1), stride,
                                            pipeline::ComponentType::kFloat32, 4, false};
-    for (const PrimitiveRun& run : batch.runs)
+    struct Flight {
+        VertexBatch& batch;
+        std::ptrdiff_t drawn = 0;
+        explicit Flight(VertexBatch& all) : batch(all) { batch.in_flight = true; }
+        ~Flight() {
+            batch.runs.erase(batch.runs.begin(), batch.runs.begin() + drawn);
+            batch.in_flight = false;
+        }
+    } flight(batch);
+    for (const PrimitiveRun& run : batch.runs) {
         draw_primitives(ctx, run.mode, input,
                         {run.first, run.count, nullptr, true, run.continues, run.is_continued},
                         batch.w_is_one);
+        ++flight.drawn;
+    }
 }
 
 // How many of a run's vertices can be drawn now, and which of them the rest of the run needs again.
@@ -120,12 +150,17 @@ void draw_whole_pieces(Context& ctx) {
     VertexBatch& batch = ctx.vertex.batch;
     const std::uint32_t rest = batch.runs.back().count % kPiece;
     batch.runs.back().count -= rest;
-    draw_runs(ctx);
-    batch.runs.clear();
+    try {
+        draw_runs(ctx);
+    } catch (...) {
+        batch.runs.back().count += rest;
+        throw;
+    }
     const std::size_t floats = static_cast<std::size_t>(rest) * batch.stride;
     std::copy_n(batch.next - floats, floats, batch.data.data());
     batch.count = rest;
-    add_run(batch.runs, {GL_QUADS, 0, rest});
+    batch.failures = 0;
+    add_run(batch.runs, {GL_QUADS, 0, rest});  // there is room for one
     set_layout(ctx.vertex);
 }
 
@@ -149,10 +184,42 @@ void break_open_run(Context& ctx) {
     add_run(batch.runs, {vertex.mode, vertex.open_first, parts.drawn, vertex.open_continues, true});
     vertex.open_continues = true;
     draw_runs(ctx);
-    batch.runs.clear();
     std::copy(kept.begin(), kept.end(), batch.data.begin());
     batch.count = static_cast<std::uint32_t>(kept.size() / batch.stride);
     vertex.open_first = 0;
+    set_layout(vertex);
+}
+
+// Makes room for one more vertex.
+void grow_batch(Context& ctx) {
+    VertexBatch& batch = ctx.vertex.batch;
+    if (batch.count >= longest_batch(ctx.vertex)) break_open_run(ctx);
+    if (batch.end - batch.next >= static_cast<std::ptrdiff_t>(batch.stride)) return;
+    batch.data.resize(std::max<std::size_t>(batch.data.size() * 2, 4096));
+    set_layout(ctx.vertex);
+}
+
+// Makes a run of what has come since Begin.
+void close_run(Context& ctx) {
+    VertexState& vertex = ctx.vertex;
+    VertexBatch& batch = vertex.batch;
+    if (!vertex.loop_start.empty()) {
+        // Streams that were added since the loop was broken begin with the value that all vertices before
+        // had.
+        const auto known = static_cast<std::ptrdiff_t>(vertex.loop_start.size());
+        const auto first_vertex = batch.data.begin();
+        vertex.loop_start.insert(vertex.loop_start.end(), first_vertex + known, first_vertex + batch.stride);
+        if (batch.end - batch.next < static_cast<std::ptrdiff_t>(batch.stride)) grow_batch(ctx);
+        std::copy(vertex.loop_start.begin(), vertex.loop_start.end(), batch.next);
+        batch.next += batch.stride;
+        ++batch.count;
+    }
+    add_run(batch.runs,
+            {vertex.mode, vertex.open_first, batch.count - vertex.open_first, vertex.open_continues, false});
+}
+
+void leave_primitives(VertexState& vertex) {
+    vertex.open = vertex.is_lost = false;
     set_layout(vertex);
 }
 
@@ -168,21 +235,19 @@ void add_run(std::vector<PrimitiveRun>& runs, const PrimitiveRun& run) {
 }
 
 void flush_vertices(Context& ctx) {
-    if (ctx.vertex.batch.count == 0 || ctx.vertex.open) return;
+    VertexState& vertex = ctx.vertex;
+    if (vertex.batch.count == 0 || vertex.open || vertex.batch.in_flight) return;
     const WithoutTraps without_traps;
-    struct Cleanup {
-        VertexState& vertex;
-        ~Cleanup() { clear_batch(vertex); }
-    } const cleanup{ctx.vertex};
-    draw_runs(ctx);
-}
-
-void grow_batch(Context& ctx) {
-    VertexBatch& batch = ctx.vertex.batch;
-    if (batch.count >= longest_batch(ctx.vertex)) break_open_run(ctx);
-    if (batch.end - batch.next >= static_cast<std::ptrdiff_t>(batch.stride)) return;
-    batch.data.resize(std::max<std::size_t>(batch.data.size() * 2, 4096));
-    set_layout(ctx.vertex);
+    try {
+        draw_runs(ctx);
+    } catch (...) {
+        if (++vertex.batch.failures == kMostFailures) {
+            clear_batch(vertex);
+            record_error(ctx, GL_OUT_OF_MEMORY, "not enough memory for the primitives since the last change");
+        }
+        throw;
+    }
+    clear_batch(vertex);
 }
 
 void stream_attribute(Context& ctx, int attribute) {
@@ -204,16 +269,33 @@ void stream_attribute(Context& ctx, int attribute) {
     set_layout(ctx.vertex);
 }
 
+void lose_open_primitives(Context& ctx) noexcept {
+    if (!ctx.vertex.open || ctx.vertex.is_lost) return;
+    ctx.vertex.is_lost = true;
+    truncate_batch(ctx.vertex, ctx.vertex.open_first);
+}
+
 void set_attribute_slowly(Context& ctx, int attribute, GLfloat x, GLfloat y, GLfloat z, GLfloat w) noexcept {
     guarded(ctx, [&] {
-        stream_attribute(ctx, attribute);
+        try {
+            stream_attribute(ctx, attribute);
+        } catch (...) {
+            lose_open_primitives(ctx);
+            throw;
+        }
         ctx.vertex.current.values[static_cast<std::size_t>(attribute)] = {x, y, z, w};
     });
 }
 
 void vertex4f_slowly(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) noexcept {
+    if (ctx.vertex.is_lost) return;
     guarded(ctx, [&] {
-        grow_batch(ctx);
+        try {
+            grow_batch(ctx);
+        } catch (...) {
+            lose_open_primitives(ctx);
+            throw;
+        }
         vertex4f(ctx, x, y, z, w);
     });
 }
@@ -224,6 +306,7 @@ bool open_primitive(Context& ctx, GLenum mode) {
     ctx.vertex.mode = mode;
     ctx.vertex.open_first = ctx.vertex.batch.count;
     ctx.vertex.open = true;
+    ctx.vertex.is_lost = false;
     ctx.vertex.open_continues = false;
     ctx.vertex.loop_start.clear();
     set_layout(ctx.vertex);
@@ -238,24 +321,21 @@ void begin(Context& ctx, GLenum mode) {
 void end(Context& ctx) {
     VertexState& vertex = ctx.vertex;
     set_inside_begin_end(ctx, false);
-    if (!vertex.loop_start.empty()) {
-        // Streams that were added since the loop was broken begin with the value that all vertices before
-        // had.
-        const auto known = static_cast<std::ptrdiff_t>(vertex.loop_start.size());
-        const auto first_vertex = vertex.batch.data.begin();
-        vertex.loop_start.insert(vertex.loop_start.end(), first_vertex + known,
-                                 first_vertex + vertex.batch.stride);
-        if (vertex.batch.end - vertex.batch.next < static_cast<std::ptrdiff_t>(vertex.batch.stride))
-            grow_batch(ctx);
-        std::copy(vertex.loop_start.begin(), vertex.loop_start.end(), vertex.batch.next);
-        vertex.batch.next += vertex.batch.stride;
-        ++vertex.batch.count;
+    try {
+        if (!vertex.is_lost) close_run(ctx);
+    } catch (...) {
+        lose_open_primitives(ctx);
+        leave_primitives(vertex);
+        throw;
     }
-    add_run(vertex.batch.runs, {vertex.mode, vertex.open_first, vertex.batch.count - vertex.open_first,
-                                vertex.open_continues, false});
-    vertex.open = false;
+    leave_primitives(vertex);
     if (vertex.batch.count < kLongBatch) return;
-    vertex.batch.runs.back().mode == GL_QUADS ? draw_whole_pieces(ctx) : flush_vertices(ctx);
+    const std::vector<PrimitiveRun>& runs = vertex.batch.runs;
+    try {
+        !runs.empty() && runs.back().mode == GL_QUADS ? draw_whole_pieces(ctx) : flush_vertices(ctx);
+    } catch (const std::exception&) {
+        // What End has to do is done: the batch waits.
+    }
 }
 
 void rectf(Context& ctx, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {

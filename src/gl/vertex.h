@@ -3,6 +3,10 @@
 // Vertices are collected in a batch that outlives End: runs of primitives that were specified under the same
 // state go to the pipeline together, when something is about to change (`begin_change`) or must be seen. A
 // batch holds a stream for each attribute that changed since its first vertex; all others are constant.
+//
+// Where memory is short a primitive is drawn whole or not at all: Begin to End of which a vertex or an
+// attribute gets lost leaves nothing behind, and GL_OUT_OF_MEMORY is recorded. A batch that cannot go to the
+// pipeline waits for the next occasion; whatever wanted it gone fails until then.
 #pragma once
 
 #include <GL/gl.h>
@@ -55,6 +59,8 @@ struct VertexBatch {
     std::array<std::uint8_t, pipeline::kAttributeCount> streams{};
     bool w_is_one = true;  // of every position
     std::vector<PrimitiveRun> runs;
+    bool in_flight = false;  // on its way to the pipeline, which may change what is drawn to
+    int failures = 0;        // how often it could not go there
 };
 
 struct VertexState {
@@ -63,21 +69,24 @@ struct VertexState {
     GLenum mode = GL_POINTS;        // of the open Begin
     std::uint32_t open_first = 0;   // where its run starts
     bool open = false;              // between Begin and End
+    bool is_lost = false;           // ... and memory has been missing for what was given since
     bool open_continues = false;    // ... and part of what it began has been drawn
     std::vector<float> loop_start;  // first vertex of a line loop whose run had to be broken
 };
 
-// Hands the collected vertices to the pipeline; not between Begin and End. Throws std::bad_alloc.
+// Hands the collected vertices to the pipeline; not between Begin and End. Throws std::bad_alloc: those that
+// have not been handed over stay.
 void flush_vertices(Context& ctx);
-
-// Makes room for one more vertex.
-void grow_batch(Context& ctx);
 
 // Begin, for commands of ours that draw by themselves. False where it is refused, and the error is recorded:
 // then neither vertices nor End may follow.
 bool open_primitive(Context& ctx, GLenum mode);
 
-// Gives the batch a stream for an attribute that was constant so far.
+// Gives the batch a stream for an attribute that was constant so far. Throws std::bad_alloc and changes
+// nothing then.
 void stream_attribute(Context& ctx, int attribute);
+
+// Memory has been missing for a command between Begin and End: the primitives go.
+void lose_open_primitives(Context& ctx) noexcept;
 
 }  // namespace terrazzo::gl
