@@ -176,6 +176,10 @@ AccumulationPlane::AccumulationPlane(int width, int height)
       m_values(std::make_unique<std::int16_t[]>(static_cast<std::size_t>(width) *
                                                 static_cast<std::size_t>(height) * 4)) {}
 
+void allocate_accumulation(Context& ctx) {
+    if (has_accumulation(ctx)) ctx.surface.draw->accumulation();
+}
+
 void clear_accumulation(Context& ctx) {
     if (!has_accumulation(ctx)) return;
     std::int16_t pixel[4];

@@ -23,7 +23,10 @@ class AccumulationPlane {
     std::unique_ptr<std::int16_t[]> m_values;
 };
 
-// What Clear does to it, within the scissor box; nothing where there is none. Throws std::bad_alloc.
+// Makes sure that it has memory, where there is one. Throws std::bad_alloc.
+void allocate_accumulation(Context& ctx);
+
+// What Clear does to it, within the scissor box; nothing where there is none. It has memory.
 void clear_accumulation(Context& ctx);
 
 }  // namespace terrazzo::gl

@@ -39,17 +39,8 @@ std::uint32_t clear_depth_value(GLdouble depth, int bits) {
     return static_cast<std::uint32_t>(std::lrint(std::clamp(depth, 0.0, 1.0) * maximum));
 }
 
-}  // namespace
-
-void clear(Context& ctx, GLbitfield mask) {
-    constexpr GLbitfield kBuffers =
-        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
-    if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
-    if (!check_framebuffer(ctx)) return;
-    flush_vertices(ctx);
-    begin_drawing(ctx);
-    if (ctx.render_mode.mode != GL_RENDER) return;
-    if (mask & GL_ACCUM_BUFFER_BIT) clear_accumulation(ctx);
+// Queues a clear of all buffers but the one of accumulation.
+void clear_queued(Context& ctx, GLbitfield mask) {
     const raster::TargetFormat& target = ctx.surface.format;
     const ColorBufferState& color = ctx.fragment_ops.color;
     const ClearValues& values = ctx.framebuffer.clear;
@@ -79,6 +70,21 @@ void clear(Context& ctx, GLbitfield mask) {
     if (!whole || (clear.color_mask & channels) != channels)
         raster::round_as_drawn(target.color, clear.values.color);
     ctx.renderer.clear(clear);
+}
+
+}  // namespace
+
+void clear(Context& ctx, GLbitfield mask) {
+    constexpr GLbitfield kBuffers =
+        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
+    if (mask & ~kBuffers) return record_error(ctx, GL_INVALID_VALUE, "mask has bits that name no buffer");
+    if (!check_framebuffer(ctx)) return;
+    flush_vertices(ctx);
+    begin_drawing(ctx);
+    if (ctx.render_mode.mode != GL_RENDER) return;
+    if (mask & GL_ACCUM_BUFFER_BIT) allocate_accumulation(ctx);
+    clear_queued(ctx, mask);
+    if (mask & GL_ACCUM_BUFFER_BIT) clear_accumulation(ctx);
 }
 
 }  // namespace terrazzo::gl

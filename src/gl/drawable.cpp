@@ -8,34 +8,47 @@
 
 namespace terrazzo::gl {
 
+bool Drawable::has_buffers(int width, int height, const raster::TargetFormat& format) const {
+    const raster::Target* const target = m_buffers.target.get();
+    return target && target->width() == width && target->height() == height && target->format() == format;
+}
+
+Drawable::Buffers Drawable::make_buffers(int width, int height, const raster::TargetFormat& format) const {
+    Buffers made;
+    made.target = std::make_shared<raster::Target>(width, height, format);
+    made.selected = is_double_buffered() ? ColorBuffer::kBack : ColorBuffer::kFront;
+    return made;
+}
+
 void Drawable::allocate(int width, int height, const raster::TargetFormat& format) {
-    if (m_target && m_target->width() == width && m_target->height() == height &&
-        m_target->format() == format)
-        return;
-    m_target = std::make_shared<raster::Target>(width, height, format);
-    m_has_front = false;
-    m_accumulation = nullptr;
-    m_selected = is_double_buffered() ? ColorBuffer::kBack : ColorBuffer::kFront;
+    if (!has_buffers(width, height, format)) m_buffers = make_buffers(width, height, format);
 }
 
 void Drawable::select(ColorBuffer buffer) {
-    if (!is_double_buffered() || !m_target || buffer == m_selected) return;
-    m_target->exchange_color();
-    m_selected = buffer;
-    if (buffer == ColorBuffer::kFront && !m_has_front) {
-        m_has_front = true;
+    if (!is_double_buffered() || !m_buffers.target || buffer == m_buffers.selected) return;
+    m_buffers.target->exchange_color();
+    m_buffers.selected = buffer;
+    if (buffer != ColorBuffer::kFront || m_buffers.has_front) return;
+    m_buffers.has_front = true;
+    try {
         load_front();
+    } catch (...) {
+        m_buffers.has_front = false;
+        m_buffers.selected = ColorBuffer::kBack;
+        m_buffers.target->exchange_color();
+        throw;
     }
 }
 
 AccumulationPlane& Drawable::accumulation() {
-    if (!m_accumulation) m_accumulation = std::make_unique<AccumulationPlane>(width(), height());
-    return *m_accumulation;
+    if (!m_buffers.accumulation)
+        m_buffers.accumulation = std::make_unique<AccumulationPlane>(width(), height());
+    return *m_buffers.accumulation;
 }
 
 void Drawable::swap_pixels() {
-    if (!is_double_buffered() || !m_target || !m_has_front) return;
-    m_target->exchange_color();
+    if (!is_double_buffered() || !m_buffers.target || !m_buffers.has_front) return;
+    m_buffers.target->exchange_color();
 }
 
 void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,

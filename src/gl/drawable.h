@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 #include "gl/accumulation.h"
 #include "pipeline/resolve.h"
@@ -42,23 +43,34 @@ class Drawable {
 
     Buffering buffering() const { return m_buffering; }
     bool is_double_buffered() const { return m_buffering == Buffering::kDouble; }
-    int width() const { return m_target ? m_target->width() : 0; }
-    int height() const { return m_target ? m_target->height() : 0; }
+    int width() const { return m_buffers.target ? m_buffers.target->width() : 0; }
+    int height() const { return m_buffers.target ? m_buffers.target->height() : 0; }
     // Null before the first allocate().
-    const std::shared_ptr<raster::Target>& target() const { return m_target; }
+    const std::shared_ptr<raster::Target>& target() const { return m_buffers.target; }
 
     // Makes buffers of this size and format, unless they are there already; the pictures of others are lost.
     // Contexts that draw here learn of it by follow_drawables(). Throws std::bad_alloc and changes nothing
     // then.
     void allocate(int width, int height, const raster::TargetFormat& format);
 
+    // What allocate() makes and puts in place, in parts: for those whose next step may fail.
+    struct Buffers {
+        std::shared_ptr<raster::Target> target;
+        ColorBuffer selected = ColorBuffer::kFront;
+        bool has_front = false;
+        std::unique_ptr<AccumulationPlane> accumulation;
+    };
+    bool has_buffers(int width, int height, const raster::TargetFormat& format) const;
+    Buffers make_buffers(int width, int height, const raster::TargetFormat& format) const;
+    void exchange_buffers(Buffers& buffers) noexcept { std::swap(m_buffers, buffers); }
+
     // Makes a colour buffer the one that target() shows. What was queued for the other has been drawn. Throws
     // std::bad_alloc.
     void select(ColorBuffer buffer);
-    ColorBuffer selected() const { return m_selected; }
+    ColorBuffer selected() const { return m_buffers.selected; }
     // Whether the front buffer has pixels of its own. They are made when somebody first asks for them: until
     // then the front buffer is what the front end shows.
-    bool has_front_pixels() const { return !is_double_buffered() || m_has_front; }
+    bool has_front_pixels() const { return !is_double_buffered() || m_buffers.has_front; }
     // What SwapBuffers does to the pixels: the back buffer's become the front's. The new back buffer's are
     // undefined.
     void swap_pixels();
@@ -74,17 +86,14 @@ class Drawable {
     virtual void show_front(Context&) {}
 
   protected:
-    void set_target(std::shared_ptr<raster::Target> target) { m_target = std::move(target); }
+    void set_target(std::shared_ptr<raster::Target> target) { m_buffers.target = std::move(target); }
     // Fills the selected buffer with what the front end shows; called when the front buffer's pixels are
     // made.
     virtual void load_front() {}
 
   private:
     Buffering m_buffering;
-    std::shared_ptr<raster::Target> m_target;
-    ColorBuffer m_selected = ColorBuffer::kFront;
-    bool m_has_front = false;
-    std::unique_ptr<AccumulationPlane> m_accumulation;
+    Buffers m_buffers;
 };
 
 // Copies a colour buffer out as it is, without what contexts have queued for it, and in; `bottom_row` and

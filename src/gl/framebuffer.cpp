@@ -76,12 +76,16 @@ ColorBits color_bits(const raster::TargetFormat& format) {
     return {bits, bits, bits, format.has_alpha ? bits : 0};
 }
 
+ColorBuffer color_buffer_of(GLenum buffer) {
+    return names_front(buffer) ? ColorBuffer::kFront : ColorBuffer::kBack;
+}
+
 ColorBuffer drawn_color_buffer(const Context& ctx) {
-    return names_front(ctx.framebuffer.draw_buffer) ? ColorBuffer::kFront : ColorBuffer::kBack;
+    return color_buffer_of(ctx.framebuffer.draw_buffer);
 }
 
 ColorBuffer read_color_buffer(const Context& ctx) {
-    return names_front(ctx.framebuffer.read_buffer) ? ColorBuffer::kFront : ColorBuffer::kBack;
+    return color_buffer_of(ctx.framebuffer.read_buffer);
 }
 
 void viewport(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height) {
@@ -140,11 +144,10 @@ void draw_buffer(Context& ctx, GLenum buf) {
     select_draw_buffer(ctx, buf);
 }
 
-void use_draw_buffer(Context& ctx, Drawable& drawable) {
-    const GLenum buffer = ctx.framebuffer.draw_buffer;
+void use_draw_buffer(Context& ctx, Drawable& drawable, GLenum buffer) {
     const bool both = drawable.is_double_buffered() && (buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT);
     if (both) drawable.select(ColorBuffer::kFront);  // whose pixels are there from then on
-    drawable.select(drawn_color_buffer(ctx));
+    drawable.select(color_buffer_of(buffer));
     ctx.renderer.draw_to_both_colors(both);
 }
 
@@ -154,8 +157,8 @@ void select_draw_buffer(Context& ctx, GLenum buffer) {
     // then.
     present(ctx);
     finish_drawing(ctx);
+    if (ctx.surface.draw) use_draw_buffer(ctx, *ctx.surface.draw, buffer);
     change(ctx, Dirty::kFragment, ctx.framebuffer.draw_buffer, buffer);
-    if (ctx.surface.draw) use_draw_buffer(ctx, *ctx.surface.draw);
 }
 
 void read_buffer(Context& ctx, GLenum src) {

@@ -50,15 +50,16 @@ struct ColorBits {
 };
 ColorBits color_bits(const raster::TargetFormat& format);
 
-// The colour buffers that glDrawBuffer and glReadBuffer chose.
+// The colour buffer that an argument of glDrawBuffer or glReadBuffer stands for, and those that they chose.
+ColorBuffer color_buffer_of(GLenum buffer);
 ColorBuffer drawn_color_buffer(const Context& ctx);
 ColorBuffer read_color_buffer(const Context& ctx);
 
-// Makes the drawable's buffers those that glDrawBuffer chose. What is queued must have been drawn, but for
-// another drawable. Throws std::bad_alloc.
-void use_draw_buffer(Context& ctx, Drawable& drawable);
+// Makes the drawable's buffers those that `buffer`, an argument of glDrawBuffer, stands for. What is queued
+// must have been drawn, but for another drawable. Throws std::bad_alloc.
+void use_draw_buffer(Context& ctx, Drawable& drawable, GLenum buffer);
 
-// glDrawBuffer with a checked argument. Throws std::bad_alloc.
+// glDrawBuffer with a checked argument. Throws std::bad_alloc and changes nothing then.
 void select_draw_buffer(Context& ctx, GLenum buffer);
 
 }  // namespace terrazzo::gl

@@ -13,26 +13,30 @@ namespace {
 constexpr int kColorAttachmentNames = 16;
 
 // Binds `framebuffer`, null for the window system's, as what is drawn to; the draw buffer goes with it.
+// Throws std::bad_alloc and changes nothing then.
 void bind_draw(Context& ctx, std::shared_ptr<Framebuffer> framebuffer) {
     FramebufferBindings& bindings = ctx.framebuffers;
     if (framebuffer == bindings.draw) return;
     settle_framebuffers(ctx);
-    if (bindings.draw) {
-        bindings.draw->draw_buffer = ctx.framebuffer.draw_buffer;
-    } else {
-        bindings.window_draw_buffer = ctx.framebuffer.draw_buffer;
-        bindings.window_drawn = ctx.surface.drawn;
-    }
     begin_change(ctx, Dirty::kAll);
-    ctx.framebuffer.draw_buffer = framebuffer ? framebuffer->draw_buffer : bindings.window_draw_buffer;
-    bindings.draw = std::move(framebuffer);
+    const GLenum buffer_before = ctx.framebuffer.draw_buffer;
+    const bool drawn_before = ctx.surface.drawn;
+    const GLenum buffer = framebuffer ? framebuffer->draw_buffer : bindings.window_draw_buffer;
+    // An object becomes the renderer's target when something is drawn.
+    use_draw_drawable(ctx, framebuffer ? nullptr : bindings.window_draw, buffer);
     if (bindings.draw) {
-        // Others may have drawn to its planes; it becomes the renderer's target when something is drawn.
-        if (bindings.draw->target()) bindings.draw->target()->start_over();
-        return use_draw_drawable(ctx, nullptr);
+        bindings.draw->draw_buffer = buffer_before;
+    } else {
+        bindings.window_draw_buffer = buffer_before;
+        bindings.window_drawn = drawn_before;
     }
-    use_draw_drawable(ctx, bindings.window_draw);
-    ctx.surface.drawn = bindings.window_drawn;
+    ctx.framebuffer.draw_buffer = buffer;
+    bindings.draw = std::move(framebuffer);
+    if (!bindings.draw) {
+        ctx.surface.drawn = bindings.window_drawn;
+    } else if (bindings.draw->target()) {
+        bindings.draw->target()->start_over();  // others may have drawn to its planes
+    }
 }
 
 void bind_read(Context& ctx, std::shared_ptr<Framebuffer> framebuffer) {
@@ -134,13 +138,14 @@ void gen_framebuffers(Context& ctx, GLsizei n, GLuint* framebuffers) {
 
 void delete_framebuffers(Context& ctx, GLsizei n, const GLuint* framebuffers) {
     if (n < 0) return record_error(ctx, GL_INVALID_VALUE, "n is negative");
+    // What may need memory comes first.
+    const Framebuffer* const bound = ctx.framebuffers.draw.get();
+    if (bound && std::find(framebuffers, framebuffers + n, bound->name()) != framebuffers + n)
+        bind_draw(ctx, nullptr);
     for (GLsizei i = 0; i < n; ++i) {
         const auto found = ctx.framebuffers.objects.find(framebuffers[i]);
         if (found == ctx.framebuffers.objects.end()) continue;
-        if (found->second) {
-            if (found->second == ctx.framebuffers.draw) bind_draw(ctx, nullptr);
-            if (found->second == ctx.framebuffers.read) bind_read(ctx, nullptr);
-        }
+        if (found->second && found->second == ctx.framebuffers.read) bind_read(ctx, nullptr);
         ctx.framebuffers.objects.erase(found);
     }
 }
@@ -154,17 +159,24 @@ GLboolean is_framebuffer(Context& ctx, GLuint framebuffer) {
 void bind_framebuffer(Context& ctx, GLenum target, GLuint framebuffer) {
     if (target != GL_FRAMEBUFFER && target != GL_DRAW_FRAMEBUFFER && target != GL_READ_FRAMEBUFFER)
         return record_error(ctx, GL_INVALID_ENUM, "unknown frame buffer target");
+    auto& objects = ctx.framebuffers.objects;
     std::shared_ptr<Framebuffer> object;
-    if (framebuffer != 0) {
-        const auto found = ctx.framebuffers.objects.find(framebuffer);
-        if (found != ctx.framebuffers.objects.end()) object = found->second;
-        if (!object) {
-            object = std::make_shared<Framebuffer>(framebuffer);
-            ctx.framebuffers.objects[framebuffer] = object;
+    const auto found = objects.find(framebuffer);
+    if (found != objects.end()) object = found->second;
+    const bool is_made = framebuffer != 0 && !object;
+    if (is_made) object = std::make_shared<Framebuffer>(framebuffer);
+    const auto named =
+        found == objects.end() && is_made ? objects.emplace(framebuffer, nullptr).first : found;
+    if (target != GL_READ_FRAMEBUFFER) {
+        try {
+            bind_draw(ctx, object);
+        } catch (...) {
+            if (named != found) objects.erase(named);
+            throw;
         }
     }
-    if (target != GL_READ_FRAMEBUFFER) bind_draw(ctx, object);
     if (target != GL_DRAW_FRAMEBUFFER) bind_read(ctx, object);
+    if (is_made) named->second = std::move(object);
 }
 
 GLenum check_framebuffer_status(Context& ctx, GLenum target) {

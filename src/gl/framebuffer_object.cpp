@@ -121,7 +121,6 @@ void load(const Attachment& a, AttachmentPoint point, Target& planes) {
 
 void store(const Attachment& a, AttachmentPoint point, Target& planes, pipeline::TextureImage& image) {
     const TexelFormat& format = *level_of(a).format;
-    if (point == kStencilAttachment) image.make_stencils();
     for_each_run(planes, a, image, [&](int x, int y, int count, const TexelPosition& at) {
         if (point == kStencilAttachment) {
             pipeline::read_stencil(planes, x, y, count, image.stencils(at.x, at.y));
@@ -203,18 +202,30 @@ void store_textures(Context& ctx, Framebuffer& framebuffer) {
         stored[point] = a.texture && a.planes && size_of(a, point).width == a.planes->width() &&
                         level_of(a).image->content() == a.content;
     }
+    ctx.drawing.state.fragment.reset();  // it would count as a reference to the images
+    // Whether or not there is memory for all of them, images that are made writable are what their
+    // attachments go to.
+    struct Contents {
+        Framebuffer& framebuffer;
+        const std::array<bool, kAttachmentCount>& stored;
+        ~Contents() {
+            for (std::size_t point = 0; point < kAttachmentCount; ++point)
+                if (Attachment& a = framebuffer.attachments[point]; stored[point])
+                    a.content = level_of(a).image->content();
+        }
+    } const contents{framebuffer, stored};
+    std::array<pipeline::TextureImage*, kAttachmentCount> images{};
     for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment}) {
         if (!stored[point]) continue;
         Attachment& a = framebuffer.attachments[point];
-        TextureLevel& level = a.texture->face(a.face)[static_cast<std::size_t>(a.level)];
-        ctx.drawing.state.fragment.reset();  // it would count as a reference to the image
-        pipeline::TextureImage* const image = level.image.writable();
-        if (!image) throw std::bad_alloc();
-        store(a, point, *a.planes, *image);
+        images[point] = a.texture->face(a.face)[static_cast<std::size_t>(a.level)].image.writable();
+        if (!images[point]) throw std::bad_alloc();
+        if (point == kStencilAttachment) images[point]->make_stencils();
     }
-    for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment})
-        if (Attachment& a = framebuffer.attachments[point]; stored[point])
-            a.content = level_of(a).image->content();
+    for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment}) {
+        Attachment& a = framebuffer.attachments[point];
+        if (stored[point]) store(a, point, *a.planes, *images[point]);
+    }
     ctx.dirty |= static_cast<unsigned>(Dirty::kTexture);
 }
 
@@ -252,7 +263,7 @@ bool check_framebuffer(Context& ctx) {
     if (!framebuffer) return true;
     take_over_buffers(ctx);
     const bool complete = compose_complete(ctx, *framebuffer);
-    use_draw_drawable(ctx, complete ? framebuffer : nullptr);
+    use_draw_drawable(ctx, complete ? framebuffer : nullptr, ctx.framebuffer.draw_buffer);
     if (!complete) record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "the frame buffer is not complete");
     return complete;
 }
@@ -298,8 +309,8 @@ void settle_framebuffers(Context& ctx) {
     if (!framebuffer || !framebuffer->target() || ctx.renderer.target() != framebuffer->target()) return;
     finish_drawing(ctx);
     framebuffer->target()->settle();
-    const bool flushed = std::exchange(framebuffer->flushed, false);
-    if (std::exchange(ctx.surface.drawn, false) || flushed) store_textures(ctx, *framebuffer);
+    if (ctx.surface.drawn || framebuffer->flushed) store_textures(ctx, *framebuffer);
+    ctx.surface.drawn = framebuffer->flushed = false;
 }
 
 void detach_texture(Context& ctx, const TextureObject* texture) {

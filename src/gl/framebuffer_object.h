@@ -109,7 +109,8 @@ bool check_readable_framebuffer(Context& ctx);
 // GL_SAMPLES: of a pixel of what is drawn to; 0 where it is not multisampled.
 GLint drawn_samples(Context& ctx);
 
-// Draws what is queued and brings the textures that are attached up to date. Throws std::bad_alloc.
+// Draws what is queued and brings the textures that are attached up to date. Throws std::bad_alloc, and
+// nothing that was drawn is lost then.
 void settle_framebuffers(Context& ctx);
 
 // How many bits what is attached has of a component, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE and so on; textures

@@ -11,8 +11,9 @@
 namespace terrazzo::gl {
 namespace {
 
-void use_target(Context& ctx, Drawable* drawable) {
-    if (drawable && drawable->target()) use_draw_buffer(ctx, *drawable);
+// Everything that needs memory comes first.
+void use_target(Context& ctx, Drawable* drawable, GLenum draw_buffer) {
+    if (drawable && drawable->target()) use_draw_buffer(ctx, *drawable, draw_buffer);
     const auto target = drawable ? drawable->target() : nullptr;
     if (target == ctx.renderer.target()) return;
     begin_change(ctx, Dirty::kAll);
@@ -25,8 +26,11 @@ void use_target(Context& ctx, Drawable* drawable) {
     if (!target || drawable != ctx.framebuffers.window_draw.get() ||
         std::exchange(ctx.framebuffer.has_met_drawable, true))
         return;
-    viewport(ctx, 0, 0, target->width(), target->height());
-    scissor(ctx, 0, 0, target->width(), target->height());
+    ViewportState& viewport = ctx.framebuffer.viewport;
+    ScissorState& scissor = ctx.fragment_ops.scissor;
+    viewport.x = viewport.y = scissor.x = scissor.y = 0;
+    viewport.width = scissor.width = target->width();
+    viewport.height = scissor.height = target->height();
 }
 
 // Whether what is drawn while `draw_buffer` is chosen, and has been selected, goes to the front buffer.
@@ -44,7 +48,7 @@ void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_
     bindings.window_draw = draw;
     if (!bindings.draw) {
         try {
-            use_target(ctx, draw.get());
+            use_target(ctx, draw.get(), ctx.framebuffer.draw_buffer);
         } catch (...) {
             bindings.window_draw = window_before;
             throw;
@@ -55,28 +59,34 @@ void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_
     if (!bindings.read) ctx.surface.read = std::move(read);
 }
 
-void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable) {
-    use_target(ctx, drawable.get());
+void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable, GLenum buffer) {
+    use_target(ctx, drawable.get(), buffer);
     ctx.surface.draw = std::move(drawable);
 }
 
 void follow_drawables(Context& ctx) {
-    use_target(ctx, ctx.surface.draw.get());
+    use_target(ctx, ctx.surface.draw.get(), ctx.framebuffer.draw_buffer);
 }
 
 void begin_drawing(Context& ctx) {
     if (std::exchange(ctx.surface.drawn, true)) return;
     if (!ctx.surface.draw) return;
-    ctx.surface.draw->follow_window(Follow::kPictureBegins);
-    follow_drawables(ctx);
+    try {
+        ctx.surface.draw->follow_window(Follow::kPictureBegins);
+        follow_drawables(ctx);
+    } catch (...) {
+        ctx.surface.drawn = false;
+        throw;
+    }
     ctx.surface.drawn = true;
 }
 
 void present(Context& ctx) {
     begin_change(ctx, Dirty::kFramebuffer);
     const bool front = ctx.surface.draw && draws_to_front(*ctx.surface.draw, ctx.framebuffer.draw_buffer);
-    if (!front || !std::exchange(ctx.surface.drawn, false)) return;
+    if (!front || !ctx.surface.drawn) return;
     ctx.surface.draw->show_front(ctx);
+    ctx.surface.drawn = false;
 }
 
 void present_window(Context& ctx) {
@@ -85,7 +95,9 @@ void present_window(Context& ctx) {
     if (!bindings.draw || !bindings.window_draw) return;
     // All that was queued for the window was drawn when the object took its place.
     const bool front = draws_to_front(*bindings.window_draw, bindings.window_draw_buffer);
-    if (front && std::exchange(bindings.window_drawn, false)) bindings.window_draw->show_front(ctx);
+    if (!front || !bindings.window_drawn) return;
+    bindings.window_draw->show_front(ctx);
+    bindings.window_drawn = false;
 }
 
 void picture_was_shown(Context& ctx, const Drawable& window) {

@@ -4,6 +4,8 @@
 // then show it if it went to a front buffer. What has been shown already is not shown again.
 #pragma once
 
+#include <GL/gl.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -36,16 +38,21 @@ struct Surface {
 void attach_drawables(Context& ctx, std::shared_ptr<Drawable> draw, std::shared_ptr<Drawable> read);
 
 // Makes a drawable, or none, the one that is drawn to while a frame buffer object is bound or has been left.
-void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable);
+// `buffer`, an argument of glDrawBuffer, is what is drawn to of it. Throws std::bad_alloc and changes nothing
+// then.
+void use_draw_drawable(Context& ctx, std::shared_ptr<Drawable> drawable, GLenum buffer);
 
-// To be called when a drawable of the context may have other buffers than before.
+// To be called when a drawable of the context may have other buffers than before. Throws std::bad_alloc and
+// changes nothing then: it is to be called again before anything is drawn.
 void follow_drawables(Context& ctx);
 
 // To be called before anything is drawn, before the buffers' size is looked at: where it is the first since a
-// picture was shown, the window may have another size by now. Throws std::bad_alloc.
+// picture was shown, the window may have another size by now. Throws std::bad_alloc and is to be called again
+// then.
 void begin_drawing(Context& ctx);
 
-// Draws what is queued and shows it if there is anything new to be seen.
+// Draws what is queued and shows it if there is anything new to be seen. Throws std::bad_alloc, and what is
+// queued waits.
 void present(Context& ctx);
 
 // Draws what the context has queued for the drawable, whatever is bound by now, and copies a colour buffer (or

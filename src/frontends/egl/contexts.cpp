@@ -109,8 +109,9 @@ void set_surfaces(const std::shared_ptr<egl::Context>& context, std::shared_ptr<
 }
 
 void release() {
-    if (const auto context = egl::current_context()) set_surfaces(context, nullptr, nullptr, EGL_NO_DISPLAY);
+    const auto context = egl::current_context();
     window::make_current({});
+    if (context) set_surfaces(context, nullptr, nullptr, EGL_NO_DISPLAY);
 }
 
 // Whether another thread's context draws to the surface or reads from it.

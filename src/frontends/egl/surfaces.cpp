@@ -314,7 +314,6 @@ EGLBoolean eglSwapBuffers(EGLDisplay handle, EGLSurface surface_handle) try {
         if (surface->swap_interval > 0)
             surface->last_msc = window::wait_for_msc(surface->last_msc + surface->swap_interval, 0, 0);
         surface->server->swap(ctx);
-        gl::follow_drawables(*ctx);
     }
     if (surface->kind == egl::Kind::kWindow && surface->server->is_gone())
         return egl::fail(EGL_BAD_NATIVE_WINDOW);

@@ -197,8 +197,8 @@ Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXConte
     const auto before = glx::current_context();
     if (!handle && !draw && !read) {
         if (before) {
-            before->draw = before->read = 0;
             window::make_current({});
+            before->draw = before->read = 0;
         }
         return True;
     }

@@ -360,7 +360,6 @@ void glXSwapBuffers(Display* display, GLXDrawable name) try {
     if (!drawable->server) return swap_pbuffer(ctx, *drawable->buffers);
     wait_for_interval(*drawable);
     drawable->server->swap(ctx);
-    if (ctx) gl::follow_drawables(*ctx);
 } catch (const std::exception&) {
     glx::send_error(display, BadAlloc, false, name, X_GLXSwapBuffers);
 }

@@ -45,10 +45,14 @@ osmesa_context* current_context() {
     return this_thread.context;
 }
 
-void set_current(osmesa_context* context) {
+void present_before(const osmesa_context* next) {
+    const osmesa_context* const now = this_thread.context;
+    if (now && now != next) gl::present_window(*now->gl);
+}
+
+void set_current(osmesa_context* context) noexcept {
     osmesa_context* const before = this_thread.context;
     if (context != before) {
-        if (before) gl::present_window(*before->gl);
         if (context) take(*context);
         this_thread.context = context;
     }

@@ -16,6 +16,7 @@
 #include "frontends/osmesa/formats.h"
 #include "frontends/osmesa/osmesa_context.h"
 #include "gl/debug_log.h"
+#include "gl/draw.h"
 #include "gl/entry.h"
 #include "gl/limits.h"
 
@@ -49,6 +50,24 @@ terrazzo::raster::TargetFormat target_format(pipeline::PixelLayout layout, const
     format.has_alpha = layout != PixelLayout::kRgb8 && layout != PixelLayout::kRgb16 &&
                        layout != PixelLayout::kRgb32F && layout != PixelLayout::kRgb565;
     return format;
+}
+
+// Gives the context something to draw to. Throws std::bad_alloc and changes nothing then.
+void attach_buffers(osmesa_context& context, int width, int height,
+                    const terrazzo::raster::TargetFormat& format) {
+    osmesa::ClientBuffer& drawable = *context.drawable;
+    gl::Drawable::Buffers buffers;
+    const bool are_new = !drawable.has_buffers(width, height, format);
+    if (are_new) {
+        buffers = drawable.make_buffers(width, height, format);
+        drawable.exchange_buffers(buffers);
+    }
+    try {
+        gl::attach_drawables(*context.gl, context.drawable, context.drawable);
+    } catch (...) {
+        if (are_new) drawable.exchange_buffers(buffers);
+        throw;
+    }
 }
 
 GLboolean refuse(const char* rule) {
@@ -89,6 +108,7 @@ void OSMesaDestroyContext(OSMesaContext context) {
 GLboolean OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei width,
                             GLsizei height) try {
     if (!context && !buffer) {
+        osmesa::present_before(nullptr);
         osmesa::set_current(nullptr);
         return GL_TRUE;
     }
@@ -100,8 +120,9 @@ GLboolean OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type, GL
     const auto layout = osmesa::pixel_layout(context->format, type);
     if (!layout) return refuse("the format of the context does not go with this type");
 
-    context->drawable->allocate(width, height, target_format(*layout, context->gl->config));
-    gl::attach_drawables(*context->gl, context->drawable, context->drawable);
+    osmesa::present_before(context);
+    gl::finish_drawing(*context->gl);
+    attach_buffers(*context, width, height, target_format(*layout, context->gl->config));
     if (width != context->width || height != context->height) context->depth = {};
     context->buffer = static_cast<std::byte*>(buffer);
     context->type = type;

@@ -53,7 +53,7 @@ struct osmesa_context {
 
 namespace terrazzo::osmesa {
 
-// Fills `context.depth`. Throws std::bad_alloc.
+// Fills `context.depth`. Throws std::bad_alloc, and the client is given nothing that was not there before.
 void read_depth(osmesa_context& context);
 
 }  // namespace terrazzo::osmesa

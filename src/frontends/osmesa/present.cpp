@@ -1,6 +1,8 @@
 // The copy from our render target to the client's buffer, and to whoever watches.
 #include <GL/osmesa.h>
 
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "frontends/osmesa/formats.h"
@@ -13,13 +15,18 @@ namespace terrazzo::osmesa {
 namespace {
 
 // What comes to the client's buffer is a frame to `terrazzo run`. It is told without the time of the copy,
-// which is part of drawing the last bins.
+// which is part of drawing the last bins, and without its picture where there is no memory for that.
 void tell_watcher(gl::Context& ctx, gl::Drawable& drawable, int width, int height) {
     if (!window::is_watched()) return;
     std::vector<std::byte> rows;
     if (window::wants_pictures()) {
         const std::ptrdiff_t stride = std::ptrdiff_t{4} * width;
-        rows.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
+        const std::size_t bytes = static_cast<std::size_t>(stride) * static_cast<std::size_t>(height);
+        try {
+            rows.resize(bytes);
+        } catch (const std::bad_alloc&) {
+            return window::watch_frame(width, height, 0, nullptr);
+        }
         gl::copy_picture(ctx, drawable, gl::ColorBuffer::kFront, pipeline::PixelLayout::kRgba8,
                          rows.data() + (height - 1) * stride, -stride);
     }
@@ -53,9 +60,17 @@ void read_depth(osmesa_context& context) {
                                              ? pipeline::PixelLayout::kDepth16
                                              : pipeline::PixelLayout::kDepth24Stencil8;
     const std::ptrdiff_t stride = std::ptrdiff_t{context.width} * pipeline::bytes_per_pixel(layout);
-    context.depth.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(context.height));
-    gl::copy_picture(*context.gl, *context.drawable, gl::ColorBuffer::kFront, layout, context.depth.data(),
-                     stride);
+    const bool was_there = !context.depth.empty();
+    // A buffer that the client has been given stays where it is.
+    std::vector<std::byte> depth = std::move(context.depth);
+    try {
+        depth.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(context.height));
+        gl::copy_picture(*context.gl, *context.drawable, gl::ColorBuffer::kFront, layout, depth.data(), stride);
+    } catch (...) {
+        if (was_there) context.depth = std::move(depth);
+        throw;
+    }
+    context.depth = std::move(depth);
 }
 
 }  // namespace terrazzo::osmesa

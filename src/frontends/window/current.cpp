@@ -2,6 +2,7 @@
 #include "frontends/window/current.h"
 
 #include "gl/current.h"
+#include "gl/draw.h"
 #include "gl/surface.h"
 
 namespace terrazzo::window {
@@ -34,10 +35,11 @@ bool make_current(const Binding& wanted) {
     if (!same_context && wanted.context && wanted.context->is_current.exchange(true)) return false;
     try {
         if (now.context && (!same_context || now.draw != wanted.draw)) gl::present_window(*now.context->gl);
-        // The context that is let go of keeps no drawables: those of a closed display must not outlive it
-        // there.
-        if (now.context && !same_context) gl::attach_drawables(*now.context->gl, nullptr, nullptr);
+        if (now.context && !same_context) gl::finish_drawing(*now.context->gl);
         if (wanted.context) gl::attach_drawables(*wanted.context->gl, wanted.draw, wanted.read);
+        // The context that is let go of keeps no drawables: those of a closed display must not outlive it
+        // there. All is drawn, so that nothing is left to need memory.
+        if (now.context && !same_context) gl::attach_drawables(*now.context->gl, nullptr, nullptr);
     } catch (...) {
         if (!same_context && wanted.context) wanted.context->is_current = false;
         throw;

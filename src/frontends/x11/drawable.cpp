@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -143,6 +144,7 @@ Image& ServerDrawable::image() {
 
 void ServerDrawable::copy_to_image(gl::Context* ctx, gl::ColorBuffer buffer) {
     take_answer();  // the server may still be reading the last picture
+    if (ctx) gl::follow_drawables(*ctx);
     Image& to = image();
     std::byte* const bottom_row = to.data() + (height() - 1) * to.stride();
     if (ctx) {
@@ -168,8 +170,12 @@ void ServerDrawable::show(int x, int y, int width, int height) {
         put(x, y, width, height);
         nanoseconds = static_cast<std::uint64_t>((std::chrono::steady_clock::now() - begin).count());
     }
-    const std::vector<std::byte> rows =
-        window::wants_pictures() ? rgba_rows(*m_image, m_format.visual.layout) : std::vector<std::byte>();
+    std::vector<std::byte> rows;
+    try {
+        if (window::wants_pictures()) rows = rgba_rows(*m_image, m_format.visual.layout);
+    } catch (const std::bad_alloc&) {
+        // The watcher is told without the picture.
+    }
     window::watch_frame(this->width(), this->height(), nanoseconds, rows.empty() ? nullptr : rows.data());
 }
 
@@ -182,7 +188,12 @@ void ServerDrawable::swap(gl::Context* ctx) {
     if (ctx) gl::picture_was_shown(*ctx, *this);
     ++m_swaps;
     m_back_frame = has_front_pixels() ? std::exchange(m_front_frame, m_swaps) : m_swaps;
-    if (answer) resize(answer->width, answer->height);
+    try {
+        if (answer) resize(answer->width, answer->height);
+        if (ctx) gl::follow_drawables(*ctx);
+    } catch (const std::bad_alloc&) {
+        // The picture has been shown. The next one begins with the same.
+    }
     mind_who_sees();
 }
 

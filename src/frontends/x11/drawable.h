@@ -34,8 +34,8 @@ class ServerDrawable : public gl::Drawable {
     const BufferFormat& format() const { return m_format; }
 
     // Shows the back buffer; does nothing without one. `ctx` is the context whose drawing is to be finished
-    // first, or null. Follows the drawable's size; contexts that draw here must then call
-    // gl::follow_drawables. Throws std::bad_alloc. When the server has gone it may not return.
+    // first, or null. Follows the drawable's size, and the context does. Throws std::bad_alloc, and nothing
+    // has been shown then. When the server has gone it may not return.
     void swap(gl::Context* ctx);
     // Shows a part of the back buffer, in GL's window coordinates (GLX_MESA_copy_sub_buffer). Throws
     // std::bad_alloc.
