@@ -199,15 +199,18 @@ std::shared_ptr<const SavedAttributes> save(Context& ctx, GLbitfield mask) {
     return saved;
 }
 
+// Throws std::bad_alloc and changes nothing then.
 void restore(Context& ctx, const SavedAttributes& saved) {
+    begin_change(ctx, Dirty::kAll);
     ClearValues& clear = ctx.framebuffer.clear;
     FragmentOpsState& fragment = ctx.fragment_ops;
+    // Nothing else needs memory.
+    if (saved.color_buffer) select_draw_buffer(ctx, saved.color_buffer->draw_buffer);
     if (saved.clear_accum) clear.accum = *saved.clear_accum;
     if (saved.color_buffer) {
         fragment.color = saved.color_buffer->state;
         clear.color = saved.color_buffer->clear_color;
         clear.index = saved.color_buffer->clear_index;
-        select_draw_buffer(ctx, saved.color_buffer->draw_buffer);
     }
     if (saved.current) {
         ctx.vertex.current = saved.current->attributes;
@@ -264,15 +267,12 @@ void pop_attrib(Context& ctx) {
     if (ctx.attrib.server.empty()) {
         return record_error(ctx, GL_STACK_UNDERFLOW, "the attribute stack is empty");
     }
-    begin_change(ctx, Dirty::kAll);
     restore(ctx, *ctx.attrib.server.back());
     ctx.attrib.server.pop_back();
 }
 
 void copy_attributes(Context& from, Context& to, GLbitfield mask) {
-    const auto saved = save(from, mask);
-    begin_change(to, Dirty::kAll);
-    restore(to, *saved);
+    restore(to, *save(from, mask));
 }
 
 void push_client_attrib(Context& ctx, GLbitfield mask) {

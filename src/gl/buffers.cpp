@@ -161,12 +161,15 @@ void bind_buffer(Context& ctx, GLenum target, GLuint buffer) {
     if (!binding) return record_error(ctx, GL_INVALID_ENUM, "unknown buffer target");
     if (buffer == 0) return binding->reset();
     const auto lock = lock_buffers(ctx);
-    std::shared_ptr<BufferObject>& object = ctx.shared->buffers.objects[buffer];
+    auto& objects = ctx.shared->buffers.objects;
+    const auto found = objects.find(buffer);
+    std::shared_ptr<BufferObject> object = found == objects.end() ? nullptr : found->second;
     if (!object) {
         object = std::make_shared<BufferObject>();
         object->name = buffer;
+        objects[buffer] = object;
     }
-    *binding = object;
+    *binding = std::move(object);
 }
 
 void buffer_data(Context& ctx, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {

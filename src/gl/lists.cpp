@@ -156,17 +156,29 @@ void end_list(Context& ctx) {
     if (ctx.lists.out_of_memory) return;  // the error was recorded when it happened; the old list stays
     std::shared_ptr<const DisplayList> replaced;  // freed after the lock is gone
     const std::lock_guard lock(ctx.shared->mutex);
-    ctx.shared->list_names.insert(name, name);
-    replaced = std::exchange(ctx.shared->lists[name], finished);
+    const auto [list, is_new] = ctx.shared->lists.try_emplace(name, finished);
+    if (!is_new) {
+        replaced = std::exchange(list->second, finished);
+        return;
+    }
+    try {
+        ctx.shared->list_names.insert(name, name);
+    } catch (...) {
+        ctx.shared->lists.erase(list);
+        throw;
+    }
 }
 
 void call_list(Context& ctx, GLuint list) {
     if (ctx.lists.nesting >= kMaxListNesting) return;
     const std::shared_ptr<const DisplayList> found = find_list(ctx, list);
     if (!found) return;
-    ++ctx.lists.nesting;
+    struct Nesting {
+        int& depth;
+        explicit Nesting(int& now) : depth(now) { ++depth; }
+        ~Nesting() { --depth; }
+    } const nesting(ctx.lists.nesting);
     play(ctx, *found);
-    --ctx.lists.nesting;
 }
 
 std::size_t call_lists_bytes(GLsizei n, GLenum type) {

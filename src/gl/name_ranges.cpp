@@ -28,12 +28,18 @@ void NameRanges::insert(GLuint first, GLuint last) {
 }
 
 void NameRanges::erase(GLuint first, GLuint last) {
+    // A range that goes on behind `last` is cut there first: nothing else needs memory.
+    if (const auto after = m_last_of.upper_bound(last); after != m_last_of.begin()) {
+        const auto cut = std::prev(after);
+        if (cut->second > last) {
+            m_last_of.emplace_hint(after, last + 1, cut->second);
+            cut->second = last;
+        }
+    }
     auto range = m_last_of.upper_bound(first);
     if (range != m_last_of.begin() && std::prev(range)->second >= first) --range;
     while (range != m_last_of.end() && range->first <= last) {
-        const auto [range_first, range_last] = *range;
-        if (range_last > last) m_last_of.emplace(last + 1, range_last);
-        if (range_first < first) {
+        if (range->first < first) {
             range->second = first - 1;
             ++range;
         } else {

@@ -13,6 +13,8 @@ class NameRanges {
   public:
     bool contains(GLuint name) const;
 
+    // All that change the set throw std::bad_alloc and change nothing then.
+
     // Adds first to last, both included; names in use already stay.
     void insert(GLuint first, GLuint last);
 

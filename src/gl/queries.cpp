@@ -70,12 +70,9 @@ void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
 // A query that is active ends first, as in the reference; GL 1.5 would have an error instead.
 void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
     if (n < 0) return record_error(ctx, GL_INVALID_VALUE, "n is negative");
-    for (GLsizei i = 0; i < n; ++i) {
-        const auto found = ctx.queries.objects.find(ids[i]);
-        if (found == ctx.queries.objects.end()) continue;
-        if (found->second == ctx.queries.active) end_active(ctx);
-        ctx.queries.objects.erase(found);
-    }
+    const auto is_active = [&](GLuint id) { return ctx.queries.active->name == id; };
+    if (ctx.queries.active && std::any_of(ids, ids + n, is_active)) end_active(ctx);
+    for (GLsizei i = 0; i < n; ++i) ctx.queries.objects.erase(ids[i]);
 }
 
 GLboolean is_query(Context& ctx, GLuint id) {

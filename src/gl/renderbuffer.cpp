@@ -140,12 +140,15 @@ void bind_renderbuffer(Context& ctx, GLenum target, GLuint renderbuffer) {
         return record_error(ctx, GL_INVALID_ENUM, "the target is not GL_RENDERBUFFER");
     if (renderbuffer == 0) return ctx.framebuffers.renderbuffer.reset();
     const std::lock_guard lock(ctx.shared->mutex);
-    std::shared_ptr<Renderbuffer>& object = ctx.shared->renderbuffers.objects[renderbuffer];
+    auto& objects = ctx.shared->renderbuffers.objects;
+    const auto found = objects.find(renderbuffer);
+    std::shared_ptr<Renderbuffer> object = found == objects.end() ? nullptr : found->second;
     if (!object) {
         object = std::make_shared<Renderbuffer>();
         object->name = renderbuffer;
+        objects[renderbuffer] = object;
     }
-    ctx.framebuffers.renderbuffer = object;
+    ctx.framebuffers.renderbuffer = std::move(object);
 }
 
 // Whoever asks for several samples gets the one number that there is.

@@ -171,14 +171,20 @@ void delete_textures(Context& ctx, GLsizei n, const GLuint* textures) {
 void bind_texture(Context& ctx, GLenum target, GLuint texture) {
     const size_t index = target_index(target);
     if (index == kTextureTargetCount) return record_error(ctx, GL_INVALID_ENUM, "unknown texture target");
+    std::shared_ptr<TextureObject>& bound = ctx.texture.units[ctx.texture.active_unit].bound[index];
     auto lock = lock_textures(ctx);
-    std::shared_ptr<TextureObject> object = object_to_bind(ctx.shared->textures, texture, index);
+    TextureNames& names = ctx.shared->textures;
+    const TextureObject* const known = texture ? find_object(names, texture) : names.defaults[index].get();
+    lock.unlock();
+    // Contexts that share textures see each other's changes when they bind.
+    if (bound.get() == known && ctx.shared.use_count() == 1) return;
+    if (known && known->target != kTargets[index])
+        return record_error(ctx, GL_INVALID_OPERATION, "the texture belongs to another target");
+    begin_change(ctx, Dirty::kTexture);
+    lock.lock();
+    std::shared_ptr<TextureObject> object = object_to_bind(names, texture, index);
     lock.unlock();
     if (!object) return record_error(ctx, GL_INVALID_OPERATION, "the texture belongs to another target");
-    std::shared_ptr<TextureObject>& bound = ctx.texture.units[ctx.texture.active_unit].bound[index];
-    // Contexts that share textures see each other's changes when they bind.
-    if (bound == object && ctx.shared.use_count() == 1) return;
-    begin_change(ctx, Dirty::kTexture);
     bound = std::move(object);
 }
 
