@@ -132,10 +132,15 @@ void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width
     }
 }
 
-std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, pipeline::TextureImage& image) {
+std::shared_ptr<CompressedBlocks> allocate_blocks(const BlockFormat& format, int width, int height) {
     auto blocks = std::make_shared<CompressedBlocks>();
     blocks->format = &format;
-    blocks->bytes.resize(format.image_bytes(image.width, image.height));
+    blocks->bytes.resize(format.image_bytes(width, height));
+    return blocks;
+}
+
+std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, pipeline::TextureImage& image) {
+    const auto blocks = allocate_blocks(format, image.width, image.height);
     encode_blocks(image, 0, 0, image.width, image.height, *blocks);
     decode_blocks(format, blocks->bytes.data(), image.width, image.height, 0, 0, image);
     return blocks;

@@ -64,6 +64,9 @@ void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width
 void encode_blocks(const pipeline::TextureImage& image, int x, int y, int width, int height,
                    CompressedBlocks& blocks);
 
+// Room for the blocks of an image, all of them 0. Throws std::bad_alloc.
+std::shared_ptr<CompressedBlocks> allocate_blocks(const BlockFormat& format, int width, int height);
+
 // Makes blocks of an image of bytes, and its texels what they decode to. Throws std::bad_alloc.
 std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, pipeline::TextureImage& image);
 // The same for a part that is_whole_blocks().

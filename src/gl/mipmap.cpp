@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "gl/block_compression.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/pixel_convert.h"
@@ -191,39 +194,13 @@ class LevelReducer {
     const TextureImage& m_from;
     TextureImage& m_to;
     const TexelFormat& m_format;
-    const std::vector<Between> m_x, m_y, m_z;
+    std::vector<Between> m_x, m_y, m_z;
     std::vector<uint8_t> m_bytes;
     std::vector<float> m_floats;
 };
 
 int dimensions_of(GLenum target) {
     return target == GL_TEXTURE_1D ? 1 : target == GL_TEXTURE_3D ? 3 : 2;
-}
-
-// Levels base + 1 to q of GL 1.5 §3.8.8; all others stay as they are.
-void generate_levels(const TextureObject& object, TextureLevels& levels) {
-    const int base = object.parameters.base_level, dimensions = dimensions_of(object.target);
-    if (base >= kMaxTextureLevels || !levels[static_cast<std::size_t>(base)].image) return;
-    const TextureImage& largest = *levels[static_cast<std::size_t>(base)].image;
-    const auto longest = static_cast<unsigned>(std::max({largest.width, largest.height, largest.depth}));
-    const int smallest = base + static_cast<int>(std::bit_width(longest)) - 1;
-    const int last = std::min({smallest, object.parameters.max_level, kMaxTextureLevels - 1});
-    for (int number = base + 1; number <= last; ++number) {
-        const TextureLevel& above = levels[static_cast<std::size_t>(number - 1)];
-        const TextureImage& from = *above.image;
-        const auto half = [](int size, int border) { return std::max(1, size >> 1) + 2 * border; };
-        const LevelSpec spec{number,
-                             above.internal_format,
-                             half(from.width, from.border_x),
-                             half(from.height, from.border_y),
-                             half(from.depth, from.border_z),
-                             above.border,
-                             dimensions};
-        TextureLevel made = make_level(spec, *above.format);
-        LevelReducer(from, *made.image, *above.format).reduce();
-        compress_level(made);
-        levels[static_cast<std::size_t>(number)] = std::move(made);
-    }
 }
 
 // Whether all faces have the base level that a cube map needs.
@@ -240,10 +217,67 @@ bool is_cube_complete(const TextureObject& object) {
 
 }  // namespace
 
-void update_mipmap(const ImageTarget& target, GLint level) {
-    const TextureObject& object = *target.object;
-    if (!object.parameters.generate_mipmap || level != object.parameters.base_level) return;
-    generate_levels(object, target.object->face(target.face));
+struct DerivedLevels::Derived {
+    TextureLevel level;
+    std::shared_ptr<CompressedBlocks> blocks;  // null where texels stay as they are
+    LevelReducer reducer;
+};
+
+DerivedLevels::DerivedLevels(const ImageTarget& target, GLint number, const TextureLevel& base)
+    : m_levels(&target.object->face(target.face)) {
+    const TextureParameters& parameters = target.object->parameters;
+    if (parameters.generate_mipmap && number == parameters.base_level) allocate(*target.object, number, base);
+}
+
+DerivedLevels::DerivedLevels(TextureObject& object, int face) : m_levels(&object.face(face)) {
+    const int number = object.parameters.base_level;
+    if (number < kMaxTextureLevels) allocate(object, number, (*m_levels)[static_cast<std::size_t>(number)]);
+}
+
+DerivedLevels::DerivedLevels(DerivedLevels&&) noexcept = default;
+DerivedLevels::~DerivedLevels() = default;
+
+// Levels base + 1 to q of GL 1.5 §3.8.8; all others stay as they are.
+void DerivedLevels::allocate(const TextureObject& object, GLint number, const TextureLevel& base) {
+    if (!base.image) return;
+    const TextureImage& largest = *base.image;
+    const auto longest = static_cast<unsigned>(std::max({largest.width, largest.height, largest.depth}));
+    const int smallest = number + static_cast<int>(std::bit_width(longest)) - 1;
+    const int last = std::min({smallest, object.parameters.max_level, kMaxTextureLevels - 1});
+    m_first = number + 1;
+    if (last < m_first) return;
+    m_derived.reserve(static_cast<std::size_t>(last - number));
+    const BlockFormat* const block_format = find_block_format(static_cast<GLenum>(base.internal_format));
+    const TextureImage* from = &largest;
+    for (int level = m_first; level <= last; ++level) {
+        const auto half = [](int size, int border) { return std::max(1, size >> 1) + 2 * border; };
+        const LevelSpec spec{level,
+                             base.internal_format,
+                             half(from->width, from->border_x),
+                             half(from->height, from->border_y),
+                             half(from->depth, from->border_z),
+                             base.border,
+                             dimensions_of(object.target)};
+        TextureLevel made = make_level(spec, *base.format);
+        TextureImage& to = *made.image;
+        auto blocks = block_format ? allocate_blocks(*block_format, to.width, to.height) : nullptr;
+        m_derived.push_back({std::move(made), std::move(blocks), LevelReducer(*from, to, *base.format)});
+        from = &to;
+    }
+}
+
+void DerivedLevels::store() noexcept {
+    for (std::size_t i = 0; i < m_derived.size(); ++i) {
+        Derived& derived = m_derived[i];
+        derived.reducer.reduce();
+        if (derived.blocks) {
+            pipeline::TextureImage& image = *derived.level.image;
+            recompress(image, 0, 0, image.width, image.height, *derived.blocks);
+            derived.level.blocks = std::move(derived.blocks);
+        }
+        (*m_levels)[static_cast<std::size_t>(m_first) + i] = std::move(derived.level);
+    }
+    m_derived.clear();
 }
 
 void generate_mipmap(Context& ctx, GLenum target) {
@@ -256,7 +290,10 @@ void generate_mipmap(Context& ctx, GLenum target) {
     const bool has_base = base < kMaxTextureLevels && object->levels[static_cast<std::size_t>(base)].image;
     if (!has_base || !is_cube_complete(*object))
         return record_error(ctx, GL_INVALID_OPERATION, "the texture has no complete base level");
-    for (int face = 0; face < object->face_count(); ++face) generate_levels(*object, object->face(face));
+    std::vector<DerivedLevels> faces;
+    faces.reserve(static_cast<std::size_t>(object->face_count()));
+    for (int face = 0; face < object->face_count(); ++face) faces.emplace_back(*object, face);
+    for (DerivedLevels& face : faces) face.store();
 }
 
 }  // namespace terrazzo::gl

@@ -86,8 +86,9 @@ void compressed_tex_image_2d(Context& ctx, GLenum target_name, GLint level_numbe
     if (made.image) decode_blocks(*format, blocks->bytes.data(), width, height, 0, 0, *made.image);
     made.blocks = std::move(blocks);
     const auto lock = lock_textures(ctx);
+    DerivedLevels derived(target, level_number, made);
     target.level(level_number) = std::move(made);
-    update_mipmap(target, level_number);
+    derived.store();
 }
 
 void compressed_tex_sub_image_1d(Context& ctx, GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*) {
@@ -127,9 +128,11 @@ void compressed_tex_sub_image_2d(Context& ctx, GLenum target_name, GLint level_n
     const std::byte* const bytes = memory.data;
     auto blocks = std::make_shared<CompressedBlocks>(*level.blocks);
     copy_blocks(bytes, box, level.width, *blocks);
-    decode_blocks(*format, bytes, width, height, xoffset, yoffset, writable_image(ctx, level));
+    pipeline::TextureImage& image = writable_image(ctx, level);
+    DerivedLevels derived(target, level_number, level);
+    decode_blocks(*format, bytes, width, height, xoffset, yoffset, image);
     level.blocks = std::move(blocks);
-    update_mipmap(target, level_number);
+    derived.store();
 }
 
 void get_compressed_tex_image(Context& ctx, GLenum target_name, GLint level_number, void* image) {

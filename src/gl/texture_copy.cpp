@@ -131,8 +131,9 @@ void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, G
     }
     begin_change(ctx, Dirty::kTexture);
     const auto lock = lock_textures(ctx);
+    DerivedLevels derived(target, spec.level, level);
     target.level(spec.level) = std::move(level);
-    update_mipmap(target, spec.level);
+    derived.store();
 }
 
 void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const LevelBox& box,
@@ -167,10 +168,11 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
     const auto blocks = level.blocks ? std::make_shared<CompressedBlocks>(*level.blocks) : nullptr;
     pipeline::TextureImage& image = writable_image(ctx, level);
     if (has_stencil(internal_format)) image.make_stencils();
+    DerivedLevels derived(target, level_number, level);
     copy_pixels(ctx.pixels, source, x, y, box, *level.format, image);
     if (blocks) recompress(image, box.x, box.y, box.width, box.height, *blocks);
     level.blocks = blocks;
-    update_mipmap(target, level_number);
+    derived.store();
 }
 
 }  // namespace

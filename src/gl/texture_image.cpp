@@ -3,6 +3,7 @@
 // A new image is made and filled aside and then put into the level, so that a failure leaves everything as it
 // was and queued draws keep the image they refer to.
 #include <new>
+#include <utility>
 
 #include "gl/block_compression.h"
 #include "gl/context.h"
@@ -47,17 +48,25 @@ void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spe
     const bool brings_stencil = client.format == GL_DEPTH_STENCIL && has_stencil(spec.internal_format);
     if (client.pixels && can_refill(ctx, level, spec, format)) {
         if (brings_stencil) level.image->make_stencils();
-        level.image->content_changes();
-        upload(ctx.pixels, client, format, all, spec.dimensions, *level.image);
-        level.internal_format = spec.internal_format;
-        return update_mipmap(target, spec.level);
+        const GLint format_before = std::exchange(level.internal_format, spec.internal_format);
+        try {
+            DerivedLevels derived(target, spec.level, level);
+            level.image->content_changes();
+            upload(ctx.pixels, client, format, all, spec.dimensions, *level.image);
+            derived.store();
+        } catch (...) {
+            level.internal_format = format_before;
+            throw;
+        }
+        return;
     }
     TextureLevel made = make_level(spec, format);
     if (brings_stencil && made.image) made.image->make_stencils();
     if (client.pixels && made.image) upload(ctx.pixels, client, format, all, spec.dimensions, *made.image);
     compress_level(made);
+    DerivedLevels derived(target, spec.level, made);
     level = std::move(made);
-    update_mipmap(target, spec.level);
+    derived.store();
 }
 
 // Depth textures have one or two dimensions, or are cube maps as in the reference and since GL 3.0; GL 1.5
@@ -121,10 +130,11 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
     const auto blocks = level.blocks ? std::make_shared<CompressedBlocks>(*level.blocks) : nullptr;
     pipeline::TextureImage& image = writable_image(ctx, level);
     if (client.format == GL_DEPTH_STENCIL && has_stencil(level.internal_format)) image.make_stencils();
+    DerivedLevels derived(target, level_number, level);
     upload(ctx.pixels, {client.format, client.type, memory.data}, *level.format, box, dimensions, image);
     if (blocks) recompress(image, box.x, box.y, box.width, box.height, *blocks);
     level.blocks = blocks;
-    update_mipmap(target, level_number);
+    derived.store();
 }
 
 }  // namespace

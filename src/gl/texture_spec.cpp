@@ -201,7 +201,6 @@ bool contains(const TextureLevel& level, const LevelBox& box) {
 }
 
 pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
-    level.blocks.reset();
     // What the last draw derived is stale and would count as a reference to the image.
     ctx.drawing.state.fragment.reset();
     pipeline::TextureImage* image = level.image.writable();

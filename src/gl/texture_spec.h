@@ -63,7 +63,8 @@ TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format);
 bool contains(const TextureLevel& level, const LevelBox& box);
 
 // The level's image, to be written to; a copy takes its place if queued draws refer to it. `level` has one,
-// and `begin_change` was called. Throws std::bad_alloc.
+// and `begin_change` was called. Whoever writes also resets the level's blocks. Throws std::bad_alloc and
+// changes nothing then.
 pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level);
 
 // Pixels in client memory.
