@@ -1,12 +1,6 @@
 // Memory that runs out in GLX and EGL: each function is called again and again, the first allocation failing,
 // then the second and so on, until a call needs no more than it gets. It may fail, with its error; nothing
 // may leave it, and the next call works.
-#include <link.h>
-
-#include <climits>
-#include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <utility>
 
@@ -19,50 +13,8 @@
 #include <GL/gl.h>
 #include <GL/glx.h>
 
+#include "failing_memory.h"
 #include "x_window.h"
-
-namespace {
-
-constexpr long kNever = -1;
-thread_local long allocations_left = kNever;  // until they fail
-thread_local bool has_failed = false;
-std::uintptr_t library_begin = 0, library_end = 0;
-
-// Whether this allocation of the library's is to fail. All others, of Xlib and libglvnd, succeed.
-bool runs_out(const void* caller) {
-    const auto address = reinterpret_cast<std::uintptr_t>(caller);
-    if (allocations_left == kNever || address < library_begin || address >= library_end) return false;
-    if (allocations_left == 0) return has_failed = true;
-    --allocations_left;
-    return false;
-}
-
-// Where the library lies in memory, under whatever name it was loaded.
-int find_library(dl_phdr_info* info, std::size_t, void*) {
-    char path[PATH_MAX];
-    if (!realpath(info->dlpi_name, path) || !std::strstr(path, "/libterrazzo.so")) return 0;
-    library_begin = info->dlpi_addr;
-    for (int i = 0; i < info->dlpi_phnum; ++i)
-        if (info->dlpi_phdr[i].p_type == PT_LOAD)
-            library_end = info->dlpi_addr + info->dlpi_phdr[i].p_vaddr + info->dlpi_phdr[i].p_memsz;
-    return 1;
-}
-
-}  // namespace
-
-// The library's operator new comes here: the program's definitions are everybody's.
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-
-void* malloc(std::size_t size) {
-    return runs_out(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
-}
-
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-    return runs_out(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
-}
-}
 
 namespace terrazzo::test {
 namespace {
@@ -86,18 +38,15 @@ int with_ever_more_memory(const std::function<Prepared()>& prepare,
         glXQueryExtensionsString(display, 0);
         XCloseDisplay(display);
     }
-    dl_iterate_phdr(find_library, nullptr);
-    if (library_end == 0) {
+    if (!watch_library("/libterrazzo.so")) {
         ADD_FAILURE() << "the library is not there";
         return 0;
     }
     for (int n = 0; n < kMost; ++n) {
         Prepared prepared = prepare();
-        has_failed = false;
-        allocations_left = n;
+        fail_allocations(n, kAllBehind);
         const bool worked = call(prepared);
-        allocations_left = kNever;
-        if (!has_failed) {
+        if (stop_failing().failed == 0) {
             EXPECT_TRUE(worked);
             return n;
         }
@@ -212,9 +161,9 @@ TEST_F(GlxExhaustion, Drawing) {
             glXWaitGL();
             glXSwapBuffers(display, pbuffer);
             drew = glGetError() == GL_NO_ERROR;
-            EXPECT_TRUE(glXMakeCurrent(display, 0, nullptr) || has_failed);
+            EXPECT_TRUE(glXMakeCurrent(display, 0, nullptr) || allocations().failed != 0);
         }
-        allocations_left = kNever;
+        stop_failing();
         glXMakeCurrent(display, 0, nullptr);
         if (pbuffer) glXDestroyPbuffer(display, pbuffer);
         if (context) glXDestroyContext(display, context);
@@ -258,8 +207,8 @@ TEST(EglExhaustion, Drawing) {
                     drew = eglWaitClient() && eglSwapBuffers(display, surface) && glGetError() == GL_NO_ERROR;
                 }
             }
-            EXPECT_TRUE(drew || has_failed);
-            allocations_left = kNever;
+            EXPECT_TRUE(drew || allocations().failed != 0);
+            stop_failing();
             eglReleaseThread();
             if (display) eglTerminate(display);
             return drew;
