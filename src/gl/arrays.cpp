@@ -412,7 +412,10 @@ void interleaved_arrays(Context& ctx, GLenum format, GLsizei stride, const void*
     ArrayState& arrays = ctx.arrays;
     const auto at = [&](GLint size, GLenum type, GLsizei offset) {
         const auto bytes = reinterpret_cast<std::uintptr_t>(pointer) + static_cast<std::uintptr_t>(offset);
-        return ClientArray{true, size, type, step, reinterpret_cast<const void*>(bytes), arrays.array_buffer};
+        ClientArray array{true, size, type, step, reinterpret_cast<const void*>(bytes), arrays.array_buffer};
+        // Behind a null pointer there is nothing to read, at an offset from it neither.
+        array.lost = !pointer && !array.buffer;
+        return array;
     };
     ClientArray& texture = arrays.texture[arrays.active_texture];
     arrays.edge_flag.enabled = arrays.index.enabled = false;

@@ -26,7 +26,9 @@ struct ClientArray {
     const GLvoid* pointer = nullptr;  // an offset where there is a buffer
     std::shared_ptr<BufferObject> buffer;
     bool bgra = false;  // four unsigned bytes, blue first: its size is GL_BGRA for the client
-    bool lost = false;  // the buffer has been deleted: the offset that is left must not be taken for a pointer
+    // The buffer has been deleted, or there was none: the offset that is left must not be taken for a
+    // pointer.
+    bool lost = false;
 
     // A null pointer is no array.
     bool exists() const { return !lost && (pointer != nullptr || buffer); }
@@ -127,8 +129,8 @@ Rule check_multi_draw(GLenum mode, const GLsizei* count, GLsizei drawcount,
                       GLenum index_type = GL_UNSIGNED_BYTE);
 
 // A draw of more vertices than this, some of them beyond the end of a buffer, is GL_OUT_OF_MEMORY, in display
-// lists as outside: a wrong count must not take all memory. What is within buffers or the client's arrays is in
-// memory already.
+// lists as outside: a wrong count must not take all memory. What is within buffers or the client's arrays is
+// in memory already.
 inline constexpr std::size_t kMostVerticesBeyond = std::size_t{1} << 24;
 
 // Whether all elements of the range are in the arrays' buffers.

@@ -229,6 +229,28 @@ TEST_F(BuffersTest, ArraysWhoseBufferIsDeletedAreNotRead) {
     EXPECT_EQ(lit_pixels(), kSize * kSize);
 }
 
+// The offsets of interleaved arrays are from a null pointer no addresses either.
+TEST_F(BuffersTest, InterleavedArraysOfNoMemoryAreNotRead) {
+    open_window();
+    for (const GLenum format : {GL_T4F_C4F_N3F_V4F, GL_C4UB_V2F, GL_T2F_V3F, GL_V3F}) {
+        interleaved_arrays(ctx(), format, 0, nullptr);
+        draw_arrays(ctx(), GL_TRIANGLES, 0, 3);
+        begin(ctx(), GL_POINTS);
+        array_element(ctx(), 0);
+        end(ctx());
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    }
+    EXPECT_EQ(lit_pixels(), 0);
+    interleaved_arrays(ctx(), GL_V2F, 0, kSquare);
+    draw_arrays(ctx(), GL_QUADS, 0, 4);
+    EXPECT_EQ(lit_pixels(), kSize * kSize) << "the client's memory";
+    make_buffer(GL_ARRAY_BUFFER, sizeof kSquare, kSquare);
+    interleaved_arrays(ctx(), GL_V2F, 0, nullptr);
+    clear(ctx(), GL_COLOR_BUFFER_BIT);
+    draw_arrays(ctx(), GL_QUADS, 0, 4);
+    EXPECT_EQ(lit_pixels(), kSize * kSize) << "the beginning of a buffer";
+}
+
 TEST_F(BuffersTest, ContextsShareThem) {
     const GLubyte bytes[] = {5, 6};
     const GLuint name = make_buffer(GL_ARRAY_BUFFER, sizeof bytes, bytes);
