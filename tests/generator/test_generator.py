@@ -8,7 +8,7 @@ import unittest
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 sys.path.insert(0, str(TOOLS))
 
-from generator import dispatch, forms, lists  # noqa: E402
+from generator import dispatch, forms, fuzz_table, lists  # noqa: E402
 from generator.policy import Policy, PolicyError  # noqa: E402
 from generator.registry import Registry  # noqa: E402
 
@@ -156,6 +156,41 @@ class Mistakes(unittest.TestCase):
         with self.assertRaisesRegex(PolicyError, "more values"):
             policy = policy_of("glVertex2f = {}", 'components.glVertex2f = { from = "glVertex3f" }')
             thunk_of(policy, "glVertex3f")
+
+
+class FuzzTable(unittest.TestCase):
+    def setUp(self):
+        self.policy = Policy(TOOLS / "policy.toml", REGISTRY, EXPORTS)
+        self.lines = fuzz_table.outputs(self.policy)["fuzz_table.cpp"].splitlines()
+
+    def line(self, start):
+        found = [line for line in self.lines if line.strip().startswith(start)]
+        self.assertEqual(len(found), 1, start)
+        return found[0]
+
+    def test_has_every_exported_command_with_the_registry_s_signature(self):
+        for name in self.policy.known_exports():
+            self.line(f'{{"{name}", ')
+        self.assertIn("&invoke<void, GLenum, GLint, GLint, GLsizei, GLint, GLenum, GLenum, const void*>",
+                      self.line('{"glTexImage1D", '))
+
+    def test_a_form_names_its_family_and_what_is_missing_has_none(self):
+        self.assertIn('{"glVertex2sv", "glVertex4f", ', self.line('{"glVertex2sv"'))
+        self.assertIn('{"glAttachShader", "", ', self.line('{"glAttachShader"'))
+
+    def test_parameters_have_their_type_direction_class_and_length(self):
+        self.assertIn('{"textures", \'u\', true, true, -1, ObjectClass::kTexture, "n"}',
+                      self.line("constexpr Parameter kParametersOf_glGenTextures[]"))
+        self.assertIn('"COMPSIZE(pname)"', self.line("constexpr Parameter kParametersOf_glFogfv[]"))
+
+    def test_a_group_begins_with_what_is_offered(self):
+        values = self.line("constexpr Enumerant kStencilOp[]")
+        self.assertIn("GL_KEEP", values)
+        group = self.line('{"TextureParameterName", kTextureParameterName, ')
+        offered = int(group.rstrip("},").split(", ")[-1])
+        names = self.line("constexpr Enumerant kTextureParameterName[]").split("}, {")
+        self.assertIn("GL_TEXTURE_MIN_FILTER", "".join(names[:offered]))
+        self.assertIn("GL_TEXTURE_SWIZZLE_R", "".join(names[offered:]))
 
 
 if __name__ == "__main__":

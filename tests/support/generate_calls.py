@@ -103,7 +103,8 @@ def group_lines(policy, names):
     groups.update(policy.parameters)
     arrays, rows = [], []
     for group, enumerants in sorted(groups.items()):
-        values = dict.fromkeys(registry.values[n] for n in enumerants if n in known or group in policy.parameters)
+        values = dict.fromkeys(registry.values[n] for n in enumerants
+                               if n in registry.values and (n in known or group in policy.parameters))
         if values:
             arrays.append(f"inline constexpr GLenum k{group}Values[] = {{{', '.join(f'{v:#x}' for v in values)}}};")
             rows.append(f'    {{"{group}", k{group}Values}},')

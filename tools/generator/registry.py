@@ -12,7 +12,8 @@ class Parameter:
     type: str  # C type as text, "const GLfloat *"
     name: str
     length: str  # gl.xml's len attribute, "" when there is none
-    group: str = ""  # gl.xml's name for the enumerants it may be
+    group: str = ""  # of enumerants that it takes
+    object_class: str = ""  # of objects whose names it takes: "texture"
 
     @property
     def is_pointer(self):
@@ -64,7 +65,7 @@ def own_text(element):
 def read_parameter(element):
     name = element.find("name").text
     return Parameter(text_without_name(element), name + "_" if name in KEYWORDS else name, element.get("len", ""),
-                     element.get("group", ""))
+                     element.get("group", ""), element.get("class", ""))
 
 
 def read_command(element):
@@ -76,8 +77,12 @@ def read_command(element):
     return command
 
 
+def required_enumerants(element):
+    return [e.get("name") for e in element.findall("require/enum")]
+
+
 class Registry:
-    """All commands of gl.xml by name, what each desktop GL version and each extension adds, and groups of enumerants."""
+    """All commands of gl.xml by name, the groups of enumerants, and what each desktop GL version and each extension adds."""
 
     def __init__(self, path):
         root = ElementTree.parse(path).getroot()
@@ -85,22 +90,21 @@ class Registry:
         for element in root.findall("commands/command"):
             command = read_command(element)
             self.commands[command.name] = command
+        self.groups = {}  # "BlendingFactor" -> names of its enumerants
+        for enumerant in root.findall("enums/enum"):
+            for group in filter(None, enumerant.get("group", "").split(",")):
+                self.groups.setdefault(group, []).append(enumerant.get("name"))
+        self.values = {e.get("name"): int(e.get("value"), 0) for e in root.findall("enums/enum")
+                       if e.get("api", "gl") == "gl"}
         self.versions = {}  # "1.1" -> names, in the order of the versions
+        self.enumerants = {}  # "1.1", "GL_EXT_abgr" -> names of the enumerants that it requires
         for feature in root.findall("feature[@api='gl']"):
             names = [c.get("name") for c in feature.findall("require/command")]
             self.versions[feature.get("number")] = names
-        self.enumerants = {}  # "1.1" or "GL_EXT_abgr" -> names of the enumerants that it brings
-        self.values = {}  # "GL_ALWAYS" -> its value
-        self.groups = {}  # "AlphaFunction" -> names of its enumerants
-        for feature in root.findall("feature[@api='gl']"):
-            self.enumerants[feature.get("number")] = [e.get("name") for e in feature.findall("require/enum")]
-        for enumerant in root.findall("enums/enum"):
-            self.values[enumerant.get("name")] = int(enumerant.get("value"), 0)
-            for group in filter(None, enumerant.get("group", "").split(",")):
-                self.groups.setdefault(group, []).append(enumerant.get("name"))
+            self.enumerants[feature.get("number")] = required_enumerants(feature)
         self.extensions = {}  # "GL_EXT_abgr" -> names of its commands, of extensions to desktop GL
         for extension in root.findall("extensions/extension"):
             if "gl" in extension.get("supported", "").split("|"):
                 names = [c.get("name") for c in extension.findall("require/command")]
                 self.extensions[extension.get("name")] = names
-                self.enumerants[extension.get("name")] = [e.get("name") for e in extension.findall("require/enum")]
+                self.enumerants[extension.get("name")] = required_enumerants(extension)
