@@ -73,6 +73,7 @@ ServerDrawable::~ServerDrawable() {
 }
 
 void ServerDrawable::abandon() {
+    const std::lock_guard lock(m_mutex);
     if (!m_connection.xcb) return;
     if (m_asked) xcb_discard_reply(m_connection.xcb, m_asked->sequence);
     m_asked.reset();
@@ -127,6 +128,7 @@ void ServerDrawable::follow_answer() {
 }
 
 void ServerDrawable::follow_window(gl::Follow when) {
+    const std::lock_guard lock(m_mutex);
     if (when == gl::Follow::kPictureBegins) return follow_answer();
     if (!m_connection.xcb || (m_followed && when == gl::Follow::kOncePerPicture)) return;
     m_followed = true;
@@ -180,6 +182,7 @@ void ServerDrawable::show(int x, int y, int width, int height) {
 }
 
 void ServerDrawable::swap(gl::Context* ctx) {
+    const std::lock_guard lock(m_mutex);
     if (!m_connection.xcb || !is_double_buffered()) return;
     const auto answer = take_answer();
     copy_to_image(ctx, gl::ColorBuffer::kBack);
@@ -198,6 +201,7 @@ void ServerDrawable::swap(gl::Context* ctx) {
 }
 
 void ServerDrawable::copy_part(gl::Context* ctx, int x, int y, int width, int height) {
+    const std::lock_guard lock(m_mutex);
     if (!m_connection.xcb || !is_double_buffered()) return;
     const auto end = [](int begin, int size, int limit) {
         return static_cast<int>(
@@ -212,6 +216,7 @@ void ServerDrawable::copy_part(gl::Context* ctx, int x, int y, int width, int he
 }
 
 void ServerDrawable::show_front(gl::Context& ctx) {
+    const std::lock_guard lock(m_mutex);
     if (!m_connection.xcb) return;
     copy_to_image(&ctx, gl::ColorBuffer::kFront);
     show(0, 0, width(), height());
@@ -219,11 +224,13 @@ void ServerDrawable::show_front(gl::Context& ctx) {
 }
 
 Image* ServerDrawable::read_server() {
+    const std::lock_guard lock(m_mutex);
     if (!m_connection.xcb) return nullptr;
     return image().get(m_id) ? &*m_image : nullptr;
 }
 
 void ServerDrawable::load_front() {
+    const std::lock_guard lock(m_mutex);
     Image* const shown = read_server();
     m_front_frame = shown ? m_swaps : 0;
     if (!shown) return;

@@ -8,6 +8,7 @@
 // told (Xlib ends the program, as a rule); a program that goes on is held to the beat of a display.
 #pragma once
 
+#include <mutex>
 #include <optional>
 
 #include "frontends/x11/connection.h"
@@ -22,7 +23,8 @@ struct BufferFormat {
     bool double_buffered = false;
 };
 
-// Base of what lives in the server. Threads: used by the one that has it current.
+// Base of what lives in the server. Threads: contexts of several may have it current, though they draw one at
+// a time: what is said to the server and heard from it is under a lock.
 class ServerDrawable : public gl::Drawable {
   public:
     // `geometry` is what the server says at the moment. Throws std::bad_alloc.
@@ -72,6 +74,8 @@ class ServerDrawable : public gl::Drawable {
     void follow_answer();
     void resize(int width, int height);
 
+    // Recursive: a picture that is copied may have to be read from the server first.
+    std::recursive_mutex m_mutex;
     Connection m_connection;  // its xcb is null once the drawable is abandoned
     xcb_drawable_t m_id;
     BufferFormat m_format;
