@@ -1,5 +1,5 @@
-// The record of a draw of vertex arrays in a display list (GL 1.5 §5.4): the arrays' elements as they were when the
-// list was compiled.
+// The record of a draw of vertex arrays in a display list (GL 1.5 §5.4): the arrays' elements as they were
+// when the list was compiled.
 //
 // Behind the record stand the indices, if there are any, and the elements: for each one the components of all
 // arrays, as floats.

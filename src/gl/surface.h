@@ -55,14 +55,14 @@ void begin_drawing(Context& ctx);
 // queued waits.
 void present(Context& ctx);
 
-// Draws what the context has queued for the drawable, whatever is bound by now, and copies a colour buffer (or
-// the depth) out; `bottom_row` is where the lowest row goes. Throws std::bad_alloc only if a front buffer's
-// pixels are asked for that are not there yet.
+// Draws what the context has queued for the drawable, whatever is bound by now, and copies a colour buffer
+// (or the depth) out; `bottom_row` is where the lowest row goes. Throws std::bad_alloc only if a front
+// buffer's pixels are asked for that are not there yet.
 void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout,
                   std::byte* bottom_row, std::ptrdiff_t stride);
 
-// The same for the calls of window systems, which mean the window whatever is bound: while a frame buffer object
-// is, present() leaves the window's picture for later, as the reference does.
+// The same for the calls of window systems, which mean the window whatever is bound: while a frame buffer
+// object is, present() leaves the window's picture for later, as the reference does.
 void present_window(Context& ctx);
 
 // The window's picture has been shown: nothing new is to be seen until something is drawn.
