@@ -5,6 +5,10 @@
 
 #include <string_view>
 
+// Used by name, so that the linker keeps the library it is in.
+extern "C" decltype(&OSMesaGetCurrentContext) forgetful_partner;
+decltype(&OSMesaGetCurrentContext) forgetful_partner = &OSMesaGetCurrentContext;
+
 extern "C" OSMESAproc OSMesaGetProcAddress(const char* name) {
     static const auto next =
         reinterpret_cast<OSMESAproc (*)(const char*)>(dlsym(RTLD_NEXT, "OSMesaGetProcAddress"));
