@@ -12,6 +12,8 @@ constexpr std::int64_t kLargestTexture = 1 << 16;  // more than any library take
 constexpr std::int64_t kLargestShared = 64;  // where no thread knows how large an image is when it reads it
 constexpr std::int64_t kMostBufferBytes = 1 << 18;
 constexpr std::int64_t kHopelessBytes = std::int64_t{1} << 44;  // no memory has so many
+constexpr std::int64_t kMostVertices = 1 << 14;
+constexpr std::int64_t kHopelessVertices = 1 << 26;
 constexpr std::int64_t kMostNames = 64;
 constexpr std::int64_t kMostMeshSteps = 24;
 
@@ -67,6 +69,9 @@ void bound_work(const Command& command, Value* values, bool shared) {
         family.starts_with("glGen") || (family.starts_with("glDelete") && family != "glDeleteLists") ||
         family == "glPrioritizeTextures" || family == "glAreTexturesResident" || family == "glCallLists";
     if (lists_names && family != "glGenLists" && family != "glGenerateMipmap") limit("n", kMostNames - 1);
+    // Larger ones than any library draws from memory that ends are kept: they must be refused.
+    if (Value* const count = find(command, values, "count"); count && count->integer < kHopelessVertices)
+        limit("count", kMostVertices - 1);
     if (family.starts_with("glMulti")) limit("drawcount", 15), limit("primcount", 15);
     if (family == "glFeedbackBuffer" || family == "glSelectBuffer") limit("size", 4095);
 }
