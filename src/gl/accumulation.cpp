@@ -160,9 +160,10 @@ void return_colors(Context& ctx, float value) {
          }));
 }
 
-// GL 1.5 table 2.9, the other way round.
+// GL 1.5 table 2.9, the other way round. What is no number counts as the least, as in to_fraction.
 std::int16_t clear_value(float component) {
-    return static_cast<std::int16_t>((static_cast<int>(65535.0f * component) - 1) / 2);
+    const float known = component > -1.0f ? component : -1.0f;
+    return static_cast<std::int16_t>((static_cast<int>(65535.0f * known) - 1) / 2);
 }
 
 bool has_accumulation(const Context& ctx) {
