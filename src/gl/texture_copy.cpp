@@ -126,6 +126,8 @@ void copy_tex_image(Context& ctx, GLenum target_name, LevelSpec spec, GLint x, G
     if (level.image) {
         if (has_stencil(spec.internal_format)) level.image->make_stencils();
         const LevelBox all{-spec.border, -spec.border_y(), 0, spec.width, spec.height, 1};
+        const ReadRect seen = source.clip(x, y, spec.width, spec.height);
+        if (seen.width != spec.width || seen.height != spec.height) clear_texels(*level.image);
         copy_pixels(ctx.pixels, source, x, y, all, *format, *level.image);
         compress_level(level);
     }

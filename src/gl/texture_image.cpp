@@ -63,6 +63,7 @@ void specify_image(Context& ctx, const ImageTarget& target, const LevelSpec& spe
     TextureLevel made = make_level(spec, format);
     if (brings_stencil && made.image) made.image->make_stencils();
     if (client.pixels && made.image) upload(ctx.pixels, client, format, all, spec.dimensions, *made.image);
+    if (!client.pixels && made.image) clear_texels(*made.image);
     compress_level(made);
     DerivedLevels derived(target, spec.level, made);
     level = std::move(made);

@@ -191,6 +191,22 @@ TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format) {
     return level;
 }
 
+void clear_texels(pipeline::TextureImage& image) {
+    if (image.base_format != pipeline::BaseFormat::kLuminance &&
+        image.base_format != pipeline::BaseFormat::kRgb)
+        return;
+    for (int z = -image.border_z; z < image.depth + image.border_z; ++z) {
+        for (int y = -image.border_y; y < image.height + image.border_y; ++y) {
+            for (int x = -image.border_x; x < image.width + image.border_x; ++x) {
+                if (image.storage == pipeline::TexelStorage::kRgba8)
+                    image.rgba8(x, y, z)[3] = 255;
+                else
+                    image.rgba32f(x, y, z)[3] = 1;
+            }
+        }
+    }
+}
+
 bool contains(const TextureLevel& level, const LevelBox& box) {
     const int64_t border_x = level.border;
     const int64_t border_y = level.image ? level.image->border_y : level.border;

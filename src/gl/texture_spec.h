@@ -53,6 +53,9 @@ Rule check_pixels_fit(GLenum client_format, const TexelFormat& format);
 Rule check_compression(const LevelSpec& spec);
 // ... and which parts of a compressed level TexSubImage and CopyTexSubImage may replace: whole blocks.
 Rule check_blocks(const TextureLevel& level, const LevelBox& box);
+// Makes the texels of a new image, which are zero, what an upload of zeros would: opaque where the format has no
+// alpha. For images that are not written as a whole.
+void clear_texels(pipeline::TextureImage& image);
 // Compresses a new level's texels where its internal format says so. Throws std::bad_alloc.
 void compress_level(TextureLevel& level);
 

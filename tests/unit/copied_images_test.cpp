@@ -134,6 +134,41 @@ TEST_F(CopiedImagesTest, ImagesAreWhatUploadsAre) {
     }
 }
 
+// What no command writes is what zeros would make: black, and opaque where the format has no alpha. A
+// combiner sees it.
+TEST_F(CopiedImagesTest, TexelsThatNothingGivesAreThoseOfZeros) {
+    glEnable(GL_TEXTURE_2D);
+    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, name, GL_NEAREST);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+    for (const GLenum name : {GL_COMBINE_RGB, GL_COMBINE_ALPHA}) glTexEnvi(GL_TEXTURE_ENV, name, GL_REPLACE);
+    const auto drawn = [&] {
+        glClearColor(0.5f, 0.5f, 0.5f, 0.5f);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glBegin(GL_QUADS);
+        for (const auto& [s, t] : {std::array{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, 1.0f}, {0.0f, 1.0f}}) {
+            glTexCoord2f(s, t);
+            glVertex2f(2 * s - 1, 2 * t - 1);
+        }
+        glEnd();
+        return window<GLubyte>(7, 7, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, 4);
+    };
+    const std::vector<GLubyte> zeros(4 * 10 * 10);
+    for (const GLint format : kFormats) {
+        for (const GLint border : {0, 1}) {
+            const GLsizei size = 4 + 2 * border;
+            const auto specify = [&](const void* texels) {
+                glTexImage2D(GL_TEXTURE_2D, 0, format, size, size, border, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+                return drawn();
+            };
+            const auto expected = specify(zeros.data());
+            EXPECT_EQ(specify(nullptr), expected) << std::hex << "0x" << format;
+            glCopyTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLenum>(format), 6, 6, size, size, border);
+            EXPECT_EQ(drawn(), expected) << "beyond the window, " << std::hex << "0x" << format;
+        }
+    }
+}
+
 TEST_F(CopiedImagesTest, PartsAreWhatUploadsAre) {
     paint();
     const auto pixels = window<GLfloat>(3, 1, 2, 2, GL_RGBA, GL_FLOAT, 4);
