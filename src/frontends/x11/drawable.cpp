@@ -146,7 +146,7 @@ Image& ServerDrawable::image() {
 
 void ServerDrawable::copy_to_image(gl::Context* ctx, gl::ColorBuffer buffer) {
     take_answer();  // the server may still be reading the last picture
-    if (ctx) gl::follow_drawables(*ctx);
+    if (ctx && ctx->surface.draw.get() == this) gl::follow_drawables(*ctx);
     Image& to = image();
     std::byte* const bottom_row = to.data() + (height() - 1) * to.stride();
     if (ctx) {
@@ -193,7 +193,7 @@ void ServerDrawable::swap(gl::Context* ctx) {
     m_back_frame = has_front_pixels() ? std::exchange(m_front_frame, m_swaps) : m_swaps;
     try {
         if (answer) resize(answer->width, answer->height);
-        if (ctx) gl::follow_drawables(*ctx);
+        if (ctx && ctx->surface.draw.get() == this) gl::follow_drawables(*ctx);
     } catch (const std::bad_alloc&) {
         // The picture has been shown. The next one begins with the same.
     }
