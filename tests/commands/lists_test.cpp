@@ -101,6 +101,12 @@ bool is_tried(const Call& call) {
     return call.in_lists && call.name != "glBegin" && call.name != "glEnd" && is_chosen(call);
 }
 
+// A single value for a vector is refused by TexParameter at once and taken in lists, as in the reference.
+bool differs_on_purpose(const Call& call, const std::vector<Arguments>& arguments) {
+    return (call.name == "glTexParameterf" || call.name == "glTexParameteri") &&
+           static_cast<GLenum>(arguments[1].integer) == GL_TEXTURE_BORDER_COLOR;
+}
+
 TEST(CommandLists, EveryCommandDoesTheSameThroughAList) {
     int calls = 0, refused = 0;
     for (const Call& call : kEveryCall) {
@@ -111,7 +117,7 @@ TEST(CommandLists, EveryCommandDoesTheSameThroughAList) {
             const auto commands = [&](Trial& trial) {
                 const auto& arguments = trial.arguments(call);
                 text = RandomArguments::text(call, arguments);
-                call.with(trial.gl, arguments.data());
+                if (!differs_on_purpose(call, arguments)) call.with(trial.gl, arguments.data());
             };
             Outcome once = run(seed, Way::kAtOnce, false, commands),
                     twice = run(seed, Way::kTwiceAtOnce, false, commands);
