@@ -8,6 +8,7 @@
 
 #include "gl/client_pixel.h"
 #include "gl/context.h"
+#include "gl/convert.h"
 #include "gl/generated/commands.h"
 #include "gl/pixel_buffers.h"
 
@@ -132,9 +133,17 @@ T* find_values(Context& ctx, const PixelStore& store, GLsizei count, T* values) 
     return reinterpret_cast<T*>(memory.data);
 }
 
-// `scale` turns a colour in the program's type into 0..1.
+GLfloat as_color(GLfloat value) {
+    return value;
+}
+
+template <typename Integer>
+GLfloat as_color(Integer value) {
+    return normalised(value);
+}
+
 template <typename T>
-void set_pixel_map(Context& ctx, GLenum map, GLsizei size, const T* values, double scale) {
+void set_pixel_map(Context& ctx, GLenum map, GLsizei size, const T* values) {
     if (!is_pixel_map(map)) return record_error(ctx, GL_INVALID_ENUM, "unknown pixel map");
     if (size < 1 || size > kMaxPixelMapTable) {
         return record_error(ctx, GL_INVALID_VALUE, "the map's size is out of range");
@@ -147,11 +156,14 @@ void set_pixel_map(Context& ctx, GLenum map, GLsizei size, const T* values, doub
     PixelMap& target = pixel_map_of(ctx, map);
     target.size = size;
     for (GLsizei i = 0; i < size; ++i) {
-        const double value = static_cast<double>(values[i]);
-        double kept = std::clamp(value * scale, 0.0, 1.0);
-        if (map == GL_PIXEL_MAP_I_TO_I) kept = value;
-        if (map == GL_PIXEL_MAP_S_TO_S) kept = std::round(value);
-        target.values[static_cast<size_t>(i)] = static_cast<GLfloat>(kept);
+        const auto value = static_cast<GLfloat>(values[i]);
+        GLfloat kept = value;
+        if (map == GL_PIXEL_MAP_S_TO_S) {
+            kept = std::round(value);
+        } else if (map != GL_PIXEL_MAP_I_TO_I) {
+            kept = std::clamp(as_color(values[i]), 0.0f, 1.0f);
+        }
+        target.values[static_cast<size_t>(i)] = kept;
     }
 }
 
@@ -209,15 +221,15 @@ void pixel_transferf(Context& ctx, GLenum pname, GLfloat param) {
 }
 
 void pixel_mapfv(Context& ctx, GLenum map, GLsizei mapsize, const GLfloat* values) {
-    set_pixel_map(ctx, map, mapsize, values, 1.0);
+    set_pixel_map(ctx, map, mapsize, values);
 }
 
 void pixel_mapuiv(Context& ctx, GLenum map, GLsizei mapsize, const GLuint* values) {
-    set_pixel_map(ctx, map, mapsize, values, 1.0 / kMaxUint);
+    set_pixel_map(ctx, map, mapsize, values);
 }
 
 void pixel_mapusv(Context& ctx, GLenum map, GLsizei mapsize, const GLushort* values) {
-    set_pixel_map(ctx, map, mapsize, values, 1.0 / kMaxUshort);
+    set_pixel_map(ctx, map, mapsize, values);
 }
 
 void get_pixel_mapfv(Context& ctx, GLenum map, GLfloat* values) {

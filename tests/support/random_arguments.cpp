@@ -69,6 +69,23 @@ constexpr GLenum kCombineFunctions[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,    
                                         GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
 constexpr GLenum kWraps[] = {GL_CLAMP, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT};
 
+// Parameters of several values.
+constexpr GLenum kVectors[] = {GL_FOG_COLOR,
+                               GL_AMBIENT,
+                               GL_DIFFUSE,
+                               GL_SPECULAR,
+                               GL_EMISSION,
+                               GL_AMBIENT_AND_DIFFUSE,
+                               GL_POSITION,
+                               GL_SPOT_DIRECTION,
+                               GL_LIGHT_MODEL_AMBIENT,
+                               GL_COLOR_INDEXES,
+                               GL_POINT_DISTANCE_ATTENUATION,
+                               GL_TEXTURE_ENV_COLOR,
+                               GL_OBJECT_PLANE,
+                               GL_EYE_PLANE,
+                               GL_TEXTURE_BORDER_COLOR};
+
 // What parameters whose values are enumerants, or few, may be.
 struct ParameterValues {
     GLenum pname;
@@ -176,9 +193,20 @@ GLenum RandomArguments::enumerant(const Call& call, std::size_t i) {
         return GL_COMPRESSED_RGB_S3TC_DXT1_EXT + pick(4);
     if (group == "PixelFormat") return one_of(kClientFormats);
     if (name == "glClipControl") return pick(2) ? GL_LOWER_LEFT + pick(2) : GL_NEGATIVE_ONE_TO_ONE + pick(2);
-    if (name.starts_with("glMultiTexCoord")) return GL_TEXTURE0 + pick(8);
+    if (name.starts_with("glMultiTexCoord") || (m_plain && group == "TextureUnit"))
+        return GL_TEXTURE0 + pick(8);
+    if (m_plain && parameter == "pname" && call.parameters.back() == "param") {
+        std::vector<GLenum> scalars;
+        for (const GLenum value : group_values(group)) {
+            if (std::ranges::find(kVectors, value) == std::end(kVectors)) scalars.push_back(value);
+        }
+        return one_of(scalars);
+    }
+    if (m_plain && group == "BlendingFactor") return GL_SRC_COLOR + pick(8);
     const auto values = group_values(group);
-    return values.empty() ? GLenum{1} : one_of(values);
+    const GLenum value = values.empty() ? GLenum{1} : one_of(values);
+    const bool client_array = value >= GL_VERTEX_ARRAY && value <= GL_EDGE_FLAG_ARRAY;
+    return m_plain && client_array && group == "EnableCap" ? GLenum{GL_FOG} : value;
 }
 
 long long RandomArguments::integer(const Call& call, std::size_t i) {
@@ -194,10 +222,10 @@ long long RandomArguments::integer(const Call& call, std::size_t i) {
                                      : mask & (GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
                                                GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT);
     }
-    if (group == "Boolean" || parameter == "flag") return pick(3) == 2 ? 7 : pick(2);
+    if (group == "Boolean" || parameter == "flag") return pick(3) == 2 && !m_plain ? 7 : pick(2);
     if (group == "InternalFormat") return kInternalFormats[pick(std::size(kInternalFormats))];
     if (parameter == "level") return pick(3) == 0;
-    if (parameter == "border") return pick(5) == 0;
+    if (parameter == "border") return pick(5) == 0 && !m_plain;
     if (parameter == "imageSize") return 0;  // made to fit below
     if (parameter == "width" || parameter == "height" || parameter == "depth") {
         if (contains(name, "Compressed")) return 4;
@@ -316,7 +344,8 @@ void* RandomArguments::memory(const Call& call, std::size_t i) {
                            name.starts_with("glIndex");
     if (positions && name.ends_with("iv")) return fill(static_cast<GLint*>(nullptr), coordinates);
     if (positions && name.ends_with("sv")) return fill(static_cast<GLshort*>(nullptr), coordinates);
-    return fill(static_cast<GLubyte*>(nullptr), [&](auto) { return m_random(); });
+    return fill(static_cast<GLubyte*>(nullptr),
+                [&](auto) { return m_plain && name == "glEdgeFlagv" ? m_random() % 2 : m_random(); });
 }
 
 const std::vector<Arguments>& RandomArguments::operator()(const Call& call) {

@@ -21,6 +21,10 @@ class RandomArguments {
     // Pixel store modes (GL 1.5 §3.6.1) under which the images of the arguments fit into the memory.
     void set_pixel_store(const kit::Gl& gl);
 
+    // Leaves out what libraries may well answer differently: borders, booleans other than 0 and 1, units
+    // beyond eight, a single value for a parameter of several, client arrays as capabilities.
+    void be_plain() { m_plain = true; }
+
     // Other bytes in all client memory: whoever reads it later than it may shows.
     void spoil();
 
@@ -44,6 +48,7 @@ class RandomArguments {
     std::vector<Arguments> m_arguments;
     std::vector<unsigned char> m_memory;
     std::vector<const void*> m_index_lists;
+    bool m_plain = false;
     GLenum m_pname = 0;  // of the arguments so far
 };
 
