@@ -34,10 +34,15 @@ class Fault:
     after: str
     place: object
     number: int = 0
+    occurrence: int = 0  # among faults of the file that read the same
+
+    @property
+    def text(self):
+        return (self.file, self.kind, squeeze(self.before), squeeze(self.after))
 
     @property
     def key(self):
-        return (self.file, self.kind, squeeze(self.before), squeeze(self.after))
+        return (*self.text, self.occurrence)
 
 
 def squeeze(text):
