@@ -238,6 +238,17 @@ void Trial::draw() {
     gl.PopClientAttrib();
 }
 
+void Trial::draw_triangles() {
+    gl.Begin(GL_TRIANGLES);
+    for (const auto& [x, y] : {std::pair{-0.9f, 0.1f}, {0.2f, -0.8f}, {0.7f, 0.9f}}) {
+        gl.Normal3f(x, y, 0.75f);
+        gl.TexCoord2f(x, y);
+        gl.Color4f(0.5f + 0.4f * y, 0.5f, 0.75f - 0.5f * x, 0.6f);
+        gl.Vertex3f(x, y, 0.2f * x);
+    }
+    gl.End();
+}
+
 void Trial::draw_nothing() {
     for (GLenum mode : {GL_TRIANGLES, GL_LINES, GL_POINTS}) {
         gl.Begin(mode);

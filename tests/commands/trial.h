@@ -36,6 +36,8 @@ class Trial {
     // Geometry that shows lighting, texturing, fog, offsets, stipples, points, lines, bitmaps and pixel
     // rectangles.
     void draw();
+    // A few triangles that the next ones join, where nothing comes in between.
+    void draw_triangles();
     // Primitives outside of the clip volume: everything is made ready for a draw, and no pixel changes.
     void draw_nothing();
 
