@@ -156,6 +156,46 @@ TEST_F(Get, PositionsAndPlanesAreInEyeCoordinates) {
     EXPECT_EQ(std::vector(values, values + 4), (std::vector<GLfloat>{0, 0, 1, 0}));
 }
 
+TEST_F(Get, EachPointerIsItsArrays) {
+    const GLubyte memory[16] = {};
+    gl.VertexPointer(3, GL_FLOAT, 0, memory + 1);
+    gl.NormalPointer(GL_FLOAT, 0, memory + 2);
+    gl.ColorPointer(4, GL_FLOAT, 0, memory + 3);
+    gl.SecondaryColorPointer(3, GL_FLOAT, 0, memory + 4);
+    gl.FogCoordPointer(GL_FLOAT, 0, memory + 5);
+    gl.IndexPointer(GL_FLOAT, 0, memory + 6);
+    gl.TexCoordPointer(2, GL_FLOAT, 0, memory + 7);
+    gl.EdgeFlagPointer(0, memory + 8);
+    gl.ClientActiveTexture(GL_TEXTURE5);
+    gl.TexCoordPointer(2, GL_FLOAT, 0, memory + 9);
+    const auto offset = [&](GLenum name) {
+        void* pointer = nullptr;
+        gl.GetPointerv(name, &pointer);
+        return static_cast<const GLubyte*>(pointer) - memory;
+    };
+    EXPECT_EQ(offset(GL_VERTEX_ARRAY_POINTER), 1);
+    EXPECT_EQ(offset(GL_NORMAL_ARRAY_POINTER), 2);
+    EXPECT_EQ(offset(GL_COLOR_ARRAY_POINTER), 3);
+    EXPECT_EQ(offset(GL_SECONDARY_COLOR_ARRAY_POINTER), 4);
+    EXPECT_EQ(offset(GL_FOG_COORDINATE_ARRAY_POINTER), 5);
+    EXPECT_EQ(offset(GL_INDEX_ARRAY_POINTER), 6);
+    EXPECT_EQ(offset(GL_EDGE_FLAG_ARRAY_POINTER), 8);
+    EXPECT_EQ(offset(GL_TEXTURE_COORD_ARRAY_POINTER), 9);
+    gl.ClientActiveTexture(GL_TEXTURE0);
+    EXPECT_EQ(offset(GL_TEXTURE_COORD_ARRAY_POINTER), 7);
+}
+
+TEST_F(Get, SizeOfAnArrayWithBlueFirstIsItsOrder) {
+    EXPECT_EQ(integer(GL_COLOR_ARRAY_SIZE), 4);
+    gl.ColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, 0, nullptr);
+    EXPECT_EQ(integer(GL_COLOR_ARRAY_SIZE), GL_BGRA);
+    gl.SecondaryColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, 0, nullptr);
+    EXPECT_EQ(integer(GL_SECONDARY_COLOR_ARRAY_SIZE), GL_BGRA);
+    gl.ColorPointer(3, GL_UNSIGNED_BYTE, 0, nullptr);
+    EXPECT_EQ(integer(GL_COLOR_ARRAY_SIZE), 3);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
 TEST_F(Get, PolygonStippleComesBackAsItWasGiven) {
     std::vector<GLubyte> pattern(128), read(128);
     for (std::size_t i = 0; i < pattern.size(); ++i) pattern[i] = static_cast<GLubyte>(i * 37 + 11);

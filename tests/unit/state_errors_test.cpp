@@ -19,6 +19,8 @@ const GLdouble kPlane[4] = {1, 2, 3, 4};
 const GLint kCounts[2] = {0, -1};
 const void* const kNoIndices[2] = {nullptr, nullptr};
 
+GLuint kNoNames[1] = {};
+
 const BadCall kBadCalls[] = {
     {"Enable", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_TRIANGLES); }},
     {"Enable of a client array", GL_INVALID_ENUM, [](auto& gl) { gl.Enable(GL_VERTEX_ARRAY); }},
@@ -64,6 +66,32 @@ const BadCall kBadCalls[] = {
      [](auto& gl) { gl.Materialf(GL_FRONT, GL_SHININESS, 129); }},
     {"ColorMaterial, face", GL_INVALID_ENUM, [](auto& gl) { gl.ColorMaterial(GL_LEFT, GL_AMBIENT); }},
     {"ColorMaterial, mode", GL_INVALID_ENUM, [](auto& gl) { gl.ColorMaterial(GL_FRONT, GL_SHININESS); }},
+    {"BlendFuncSeparate, source of alpha", GL_INVALID_ENUM,
+     [](auto& gl) { gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ADD, GL_ONE); }},
+    {"BlendFuncSeparate, destination of alpha", GL_INVALID_ENUM,
+     [](auto& gl) { gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_SRC_ALPHA_SATURATE); }},
+    {"BlendFunc, destination of colours", GL_INVALID_ENUM,
+     [](auto& gl) { gl.BlendFunc(GL_ONE, GL_SRC_ALPHA_SATURATE); }},
+    {"GenTextures, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.GenTextures(-1, kNoNames); }},
+    {"DeleteTextures, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.DeleteTextures(-1, kNoNames); }},
+    {"GenBuffers, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.GenBuffers(-1, kNoNames); }},
+    {"DeleteBuffers, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.DeleteBuffers(-1, kNoNames); }},
+    {"GenQueries, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.GenQueries(-1, kNoNames); }},
+    {"DeleteQueries, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.DeleteQueries(-1, kNoNames); }},
+    {"GenFramebuffers, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.GenFramebuffers(-1, kNoNames); }},
+    {"DeleteFramebuffers, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.DeleteFramebuffers(-1, kNoNames); }},
+    {"GenRenderbuffers, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.GenRenderbuffers(-1, kNoNames); }},
+    {"DeleteRenderbuffers, n < 0", GL_INVALID_VALUE, [](auto& gl) { gl.DeleteRenderbuffers(-1, kNoNames); }},
+    {"CopyTexSubImage1D, -1", GL_INVALID_VALUE,
+     [](auto& gl) { gl.CopyTexSubImage1D(GL_TEXTURE_1D, 0, 0, 0, 0, -1); }},
+    {"CopyTexSubImage2D, -1, 4", GL_INVALID_VALUE,
+     [](auto& gl) { gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, -1, 4); }},
+    {"CopyTexSubImage2D, 4, -1", GL_INVALID_VALUE,
+     [](auto& gl) { gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 4, -1); }},
+    {"CopyTexSubImage3D, -1, 4", GL_INVALID_VALUE,
+     [](auto& gl) { gl.CopyTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, 0, 0, -1, 4); }},
+    {"CopyTexSubImage3D, 4, -1", GL_INVALID_VALUE,
+     [](auto& gl) { gl.CopyTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, 0, 0, 4, -1); }},
     {"ShadeModel", GL_INVALID_ENUM, [](auto& gl) { gl.ShadeModel(GL_LINEAR); }},
 
     {"PointSize 0", GL_INVALID_VALUE, [](auto& gl) { gl.PointSize(0); }},
@@ -273,6 +301,36 @@ TEST_F(StateErrors, ASingleValueIsTheFirstOfAVector) {
             gl.CallList(1);
         },
         [&](GLfloat* v) { gl.GetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, v); });
+}
+
+TEST_F(StateErrors, BothBlendEquationsAreChecked) {
+    using Separate = void (*)(GLenum colors, GLenum alpha);
+    const auto separate =
+        reinterpret_cast<Separate>(library().osmesa.GetProcAddress("glBlendEquationSeparateEXT"));
+    ASSERT_NE(separate, nullptr);
+    const auto before = dump();
+    separate(GL_ADD, GL_MIN);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_ENUM});
+    separate(GL_MIN, GL_ADD);
+    EXPECT_EQ(take_error(), GLenum{GL_INVALID_ENUM});
+    EXPECT_THAT(changed(before, dump()), testing::IsEmpty());
+    separate(GL_MIN, GL_MAX);
+    EXPECT_EQ(integer(GL_BLEND_EQUATION_RGB), GL_MIN);
+    EXPECT_EQ(integer(GL_BLEND_EQUATION_ALPHA), GL_MAX);
+}
+
+TEST_F(StateErrors, NothingToNameOrForgetIsNoError) {
+    gl.GenTextures(0, nullptr);
+    gl.DeleteTextures(0, nullptr);
+    gl.GenBuffers(0, nullptr);
+    gl.DeleteBuffers(0, nullptr);
+    gl.GenQueries(0, nullptr);
+    gl.DeleteQueries(0, nullptr);
+    gl.GenFramebuffers(0, nullptr);
+    gl.DeleteFramebuffers(0, nullptr);
+    gl.GenRenderbuffers(0, nullptr);
+    gl.DeleteRenderbuffers(0, nullptr);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
 }
 
 TEST_F(StateErrors, MatrixStacksOverflowAtTheDepthTheyPromise) {
