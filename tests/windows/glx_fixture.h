@@ -7,10 +7,11 @@
 #include <memory>
 #include <vector>
 
-// GoogleTest before Xlib, whose macros are words that others use.
+// clang-format off: GoogleTest before Xlib, whose macros are words that others use.
+#include <gtest/gtest.h>
 #include <GL/gl.h>
 #include <GL/glx.h>
-#include <gtest/gtest.h>
+// clang-format on
 
 #include "drawing.h"
 
