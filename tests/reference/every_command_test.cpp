@@ -27,8 +27,10 @@ bool starts_with_any(std::string_view name, std::initializer_list<std::string_vi
     return std::ranges::any_of(beginnings, [&](std::string_view text) { return name.starts_with(text); });
 }
 
-// What is compared elsewhere: pictures (piglit-lite), frame buffer objects, lists and buffers with their
-// contents; and what gives the program something instead of changing state.
+// The reference takes read buffers that GL 1.5 does not know (the player of state_compare does without them)
+// and negative strides of edge flags. Else what is compared elsewhere: pictures (piglit-lite), frame buffer
+// objects, lists and buffers with their contents; and what gives the program something instead of changing
+// state.
 bool is_played(const Call& call) {
     if (call.kinds.find('q') != std::string_view::npos) return false;
     return !starts_with_any(call.name, {"glBegin",
@@ -52,6 +54,8 @@ bool is_played(const Call& call) {
                                         "glBitmap",
                                         "glRect",
                                         "glEval",
+                                        "glReadBuffer",
+                                        "glListBase",
                                         "glRenderMode",
                                         "glFinish",
                                         "glFlush",
@@ -72,6 +76,8 @@ std::vector<std::string> dump(const kit::Gl& gl) {
         for (const char* name : {"_ARRAY_POINTER ", "GL_CURRENT_RASTER_COLOR", "GL_TEXTURE_PRIORITY"}) {
             if (line.find(name) != std::string::npos) line.clear();
         }
+        // The format of an image that is not there: 1, and in the reference what it was once asked for.
+        if (line.starts_with("image ") && line.find(" 0 0 0 0 ") != std::string::npos) line.clear();
         if (line.starts_with("image ")) line.resize(std::min(line.size(), line.find(" texels")));
     }
     return lines;

@@ -214,7 +214,8 @@ long long RandomArguments::integer(const Call& call, std::size_t i) {
     const auto between = [&](int low, int high) {
         return low + static_cast<int>(pick(static_cast<unsigned>(high - low + 1)));
     };
-    if (pick(40) == 0) return -1;
+    if (pick(40) == 0 && !(m_plain && (parameter == "stride" || parameter == "flag" || group == "Boolean")))
+        return -1;
     if (group == "AttribMask" || group == "ClearBufferMask") {
         GLbitfield mask = 0;
         for (const GLenum bit : group_values(group)) mask |= pick(2) ? bit : 0;
