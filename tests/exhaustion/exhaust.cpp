@@ -96,7 +96,7 @@ const std::vector<std::string>& Exhaustion::state_before(std::size_t command) {
     Run now(m_library, m_program.type);
     begin(now);
     run(now, 0, command);
-    state = dump_everything(now.gl);
+    state = dump_with_objects(now.gl);
     end(now);
     return state;
 }
@@ -122,12 +122,12 @@ bool Exhaustion::test(const Shortage& shortage) {
     // What has gone without is as it was, and works the next time.
     if (has_failed) {
         if (!command.is_block) {
-            EXPECT_EQ(changed(before, dump_everything(now.gl)), std::vector<std::string>());
+            EXPECT_EQ(changed(before, dump_with_objects(now.gl)), std::vector<std::string>());
         }
         now.refused = false;
         run(now, shortage.command, shortage.command + 1);
     }
-    EXPECT_EQ(changed(after, dump_everything(now.gl)), std::vector<std::string>());
+    EXPECT_EQ(changed(after, dump_with_objects(now.gl)), std::vector<std::string>());
     run(now, shortage.command + 1, m_program.commands.size());
     const Ending ending = end(now);
     EXPECT_TRUE(ending.picture == m_ending.picture) << "another picture";

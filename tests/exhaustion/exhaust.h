@@ -49,6 +49,6 @@ class Exhaustion {
 };
 
 // Everything that can be asked of a context, its objects' contents included.
-std::vector<std::string> dump_everything(const kit::Gl& gl);
+std::vector<std::string> dump_with_objects(const kit::Gl& gl);
 
 }  // namespace terrazzo::test

@@ -126,7 +126,7 @@ class ObjectDump {
 
 }  // namespace
 
-std::vector<std::string> dump_everything(const kit::Gl& gl) {
+std::vector<std::string> dump_with_objects(const kit::Gl& gl) {
     std::vector<std::string> lines = dump_state(gl);
     ObjectDump dump(gl, lines);
     dump.names();
