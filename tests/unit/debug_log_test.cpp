@@ -32,8 +32,8 @@ TEST_F(DebugLogTest, NamesTheCommandAndTheRule) {
 }
 
 TEST_F(DebugLogTest, NamesTheFormThatWasCalled) {
-    const std::string log = log_of([] { glLightModeli(GL_LIGHT_MODEL_AMBIENT, 1); });
-    EXPECT_EQ(log, "terrazzo: glLightModeli: GL_INVALID_ENUM: pname takes a vector\n");
+    const std::string log = log_of([] { glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 1); });
+    EXPECT_EQ(log, "terrazzo: glTexParameteri: GL_INVALID_ENUM: pname takes a vector\n");
 }
 
 TEST_F(DebugLogTest, EveryErrorIsLoggedThoughOneSticks) {

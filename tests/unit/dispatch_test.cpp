@@ -110,7 +110,7 @@ TEST_F(DispatchTest, FormsConvertTheirArguments) {
     EXPECT_EQ(mode, GL_LINEAR);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 
-    glFogf(GL_FOG_COLOR, 1);  // a vector
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 1);  // a vector
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
     glFogfv(GL_FOG_COLOR, nullptr);
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
