@@ -110,8 +110,8 @@ Program compressed() {
              TERRAZZO_BLOCK("quad", draw_textured(gl);),
              TERRAZZO_CALL(gl.CompressedTexSubImage2D(
                  GL_TEXTURE_2D, 0, 0, 0, 4, 4, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, 16, texels(16, 3).data())),
-             TERRAZZO_CALL(gl.TexSubImage2D(GL_TEXTURE_2D, 0, 1, 1, 2, 2, GL_RGBA, GL_UNSIGNED_BYTE,
-                                            texels(16, 4).data())),
+             TERRAZZO_CALL(gl.TexSubImage2D(GL_TEXTURE_2D, 0, 4, 4, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE,
+                                            texels(64, 4).data())),
              TERRAZZO_CALL(gl.Scalef(0.4f, 0.3f, 1)), TERRAZZO_BLOCK("quad", draw_textured(gl);),
              TERRAZZO_CALL(gl.Finish())}};
 }

@@ -7,6 +7,10 @@
 #include <cstring>
 #include <string_view>
 
+// Used by name, so that the linker keeps the library it is in.
+extern "C" decltype(&glFlush) faulty_partner;
+decltype(&glFlush) faulty_partner = &glFlush;
+
 namespace {
 
 std::string_view fault() {
