@@ -228,6 +228,12 @@ void back_operation(const Gl& gl, bool two_side, GLenum op, GLint reference) {
     gl.ActiveStencilFaceEXT(GL_FRONT);
 }
 
+void increment_fronts_replace_backs(const Gl& gl) {
+    gl.StencilFunc(GL_ALWAYS, 2, 255);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    back_operation(gl, true, GL_REPLACE, 6);
+}
+
 void sides_of_tori(const Gl& gl, bool two_side) {
     gl.Enable(GL_STENCIL_TEST);
     gl.ColorMask(0, 0, 0, 0);
@@ -260,12 +266,10 @@ SCENE(stencil_two_side, "the same by an active face (EXT_stencil_two_side)") {
 }
 
 SCENE(stencil_sides_of_points_and_lines,
-      "points, lines, smooth lines, bitmaps and pixels are front sides, whichever way round that is") {
+      "points, lines, smooth lines and pixels are front sides, whichever way round that is") {
     pixel_projection(gl);
     gl.Enable(GL_STENCIL_TEST);
-    gl.StencilFunc(GL_ALWAYS, 2, 255);
-    gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    back_operation(gl, true, GL_REPLACE, 6);
+    increment_fronts_replace_backs(gl);
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     const std::vector<std::uint8_t> picture = painted_texels(20, 20);
@@ -284,12 +288,26 @@ SCENE(stencil_sides_of_points_and_lines,
         gl.End();
         gl.RasterPos2f(x + 80, y + 80);
         gl.DrawPixels(20, 20, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
-        gl.RasterPos2f(x + 80, y + 20);
-        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        gl.Bitmap(24, 20, 0, 0, 0, 0, picture.data());
         gl.Disable(GL_LINE_SMOOTH);
     });
     gl.Disable(GL_BLEND);
+    gl.ColorMask(0, 0, 0, 0);
+    gl.FrontFace(GL_CCW);
+    show_stencil(gl, 8);
+}
+
+SCENE(stencil_sides_of_bitmaps, "bitmaps are front sides, whichever way round that is",
+      .window_only = "in objects the reference's bitmaps are back sides") {
+    pixel_projection(gl);
+    gl.Enable(GL_STENCIL_TEST);
+    increment_fronts_replace_backs(gl);
+    const std::vector<std::uint8_t> picture = painted_texels(20, 20);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for_cells(2, 2, [&](int cell, float x, float y, float, float) {
+        gl.FrontFace(cell & 1 ? GL_CW : GL_CCW);
+        gl.RasterPos2f(x + 80, y + 20);
+        gl.Bitmap(24, 20, 0, 0, 0, 0, picture.data());
+    });
     gl.ColorMask(0, 0, 0, 0);
     gl.FrontFace(GL_CCW);
     show_stencil(gl, 8);
