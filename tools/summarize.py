@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Closing lines of ./check: what failed, by name, and the line "N passed, N failed, N skipped".
+"""Closing lines of ./check: the time of each suite, what failed, by name, and the line "N passed, N failed, N skipped".
 
 Input: build folders in which `meson test` ran. Meson's testlog.json says how each test program ended; where a program
 names its test cases (gtest), testlog.junit.xml has them and they are counted instead of the program. A program that
 fails without naming a failed case (a crash, a time-out) counts as one failure. A folder without a log is one failure:
-something that should have run did not.
+something that should have run did not. The time of a suite is the sum over its programs, of which several run at once; a
+program of two suites counts in the first that its meson.build names.
 """
 import json
 import pathlib
@@ -56,9 +57,24 @@ def outcomes_of(folder):
             yield f"{folder}: {name}", "passed"
 
 
+def seconds_by_suite(folder):
+    """Suite -> seconds that its programs ran, the longest first."""
+    log = pathlib.Path(folder) / "meson-logs" / "testlog.json"
+    seconds = {}
+    for line in log.read_text().splitlines() if log.is_file() else ():
+        test = json.loads(line)
+        # "project:suite+suite / name"
+        suite = test["name"].partition(" / ")[0].rpartition(":")[2].partition("+")[0]
+        seconds[suite] = seconds.get(suite, 0) + test["duration"]
+    return dict(sorted(seconds.items(), key=lambda item: -item[1]))
+
+
 def main():
     counts = dict.fromkeys(("passed", "failed", "skipped"), 0)
     for folder in sys.argv[1:]:
+        times = [f"{suite} {seconds:.0f} s" for suite, seconds in seconds_by_suite(folder).items()]
+        if times:
+            print(f"{folder}: " + ", ".join(times))
         for name, outcome in outcomes_of(folder):
             counts[outcome] += 1
             if outcome != "passed":
