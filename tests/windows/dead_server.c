@@ -13,6 +13,7 @@
 #include <GL/glx.h>
 #include <X11/Xlib-xcb.h>
 #include <setjmp.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -104,6 +105,8 @@ int main(int argc, char** argv) {
     volatile int frame;
     volatile int was_told = 0;
     long long begin;
+    // As programs do that outlive their server: libxcb writes to a socket that may have been closed.
+    signal(SIGPIPE, SIG_IGN);
     single_buffered = strstr(way, "single") != NULL;
     if (!strcmp(way, "egl-xcb")) {
         connection = xcb_connect(NULL, NULL);
