@@ -44,8 +44,7 @@ std::vector<std::uint32_t> share_elements(std::vector<std::uint32_t>& indices) {
     if (indices.size() <= kFew) return std::exchange(indices, {});
     std::vector<std::uint32_t> elements = indices;
     std::ranges::sort(elements);
-    const auto repeated = std::ranges::unique(elements);
-    elements.erase(repeated.begin(), repeated.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
     if (indices.size() <= kWorthRepeating * elements.size()) return std::exchange(indices, {});
     for (std::uint32_t& index : indices)
         index = static_cast<std::uint32_t>(std::ranges::lower_bound(elements, index) - elements.begin());
