@@ -66,6 +66,8 @@ void define_options(CLI::App& app, CommandLine& line) {
     app.add_option("--jobs", options.jobs, "Scenes at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    app.add_flag("--fail-fast", options.fail_fast, "Start no scene after one has failed")
+        ->envname("GTEST_FAIL_FAST");
     app.add_option("--report", line.report_folder, "Folder for report.html and junit.xml");
     app.add_option("--contact", line.contact_path, "Write the reference's pictures as one PNG");
     // The name is GoogleTest's so that meson can ask for it.

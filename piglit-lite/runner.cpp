@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <span>
 #include <thread>
 
 namespace terrazzo::piglit {
@@ -33,28 +34,42 @@ std::string configuration_name(int threads, const std::string& isa) {
     return std::to_string(threads) + " threads" + (isa.empty() ? "" : ", " + isa);
 }
 
-// Every thread count and instruction set of ours; the first is the one compared with the reference.
+struct Configuration {
+    int threads;
+    std::string isa;
+};
+
+// Every instruction set with the first thread count, and every thread count with the first instruction set: the
+// two choices do not know of each other, and the scalar kernels take as long as all the others together.
+std::vector<Configuration> configurations(const Options& options) {
+    std::vector<Configuration> all;
+    for (const std::string& isa : options.isas) all.push_back({options.threads.front(), isa});
+    for (const int threads : std::span(options.threads).subspan(1))
+        all.push_back({threads, options.isas.front()});
+    return all;
+}
+
+// The first configuration is the one compared with the reference; the others must give its bits.
 void draw_ours(const Options& options, SceneReport& report) {
     if (options.ours_is_softpipe) {
         report.ours = draw_softpipe(options, *report.scene);
         return;
     }
     std::string first_name;
-    for (const std::string& isa : options.isas)
-        for (const int threads : options.threads) {
-            const std::string name = configuration_name(threads, isa);
-            Environment environment{{"TERRAZZO_THREADS", std::to_string(threads)}};
-            if (!isa.empty()) environment.emplace_back("TERRAZZO_ISA", isa);
-            Drawing drawing = draw(options, *report.scene, options.ours, std::move(environment));
-            if (first_name.empty()) {
-                first_name = name;
-                report.ours = std::move(drawing);
-            } else if (!drawing.drawn()) {
-                report.problems.push_back(name + ": " + drawing.failure);
-            } else if (report.ours.drawn() && hash_of(drawing) != hash_of(report.ours)) {
-                report.problems.push_back(name + " does not give the same bits as " + first_name);
-            }
+    for (const auto& [threads, isa] : configurations(options)) {
+        const std::string name = configuration_name(threads, isa);
+        Environment environment{{"TERRAZZO_THREADS", std::to_string(threads)}};
+        if (!isa.empty()) environment.emplace_back("TERRAZZO_ISA", isa);
+        Drawing drawing = draw(options, *report.scene, options.ours, std::move(environment));
+        if (first_name.empty()) {
+            first_name = name;
+            report.ours = std::move(drawing);
+        } else if (!drawing.drawn()) {
+            report.problems.push_back(name + ": " + drawing.failure);
+        } else if (report.ours.drawn() && hash_of(drawing) != hash_of(report.ours)) {
+            report.problems.push_back(name + " does not give the same bits as " + first_name);
         }
+    }
 }
 
 SceneReport run_scene(const Options& options, const Scene& scene) {
@@ -92,6 +107,7 @@ std::vector<SceneReport> run(const Options& options, const std::vector<const Sce
     const auto work = [&] {
         for (std::size_t i = next++; i < chosen.size(); i = next++) {
             reports[i] = run_scene(options, *chosen[i]);
+            if (options.fail_fast && !reports[i].passed()) next = chosen.size();
             const std::lock_guard lock(reporting);
             finished(reports[i]);
         }
@@ -100,6 +116,7 @@ std::vector<SceneReport> run(const Options& options, const std::vector<const Sce
     for (unsigned i = 1; i < options.jobs; ++i) workers.emplace_back(work);
     work();
     workers.clear();
+    std::erase_if(reports, [](const SceneReport& report) { return report.scene == nullptr; });
     return reports;
 }
 

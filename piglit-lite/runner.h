@@ -23,6 +23,7 @@ struct Options {
         false;        // softpipe stands in for ours: how the comparison judges Mesa against itself
     int samples = 0;  // of the object's pixels; 0: it is not multisampled
     unsigned jobs = 2;
+    bool fail_fast = false;  // start no scene after one has failed
 };
 
 struct SceneReport {
@@ -39,6 +40,7 @@ struct SceneReport {
     bool passed() const { return problems.empty(); }
 };
 
+// The reports of the chosen scenes in their order; without those that were not started after a failure.
 std::vector<SceneReport> run(const Options& options, const std::vector<const Scene*>& chosen,
                              const std::function<void(const SceneReport&)>& finished);
 

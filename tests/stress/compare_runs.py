@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """The same seeds on every instruction set and thread count: the checksums of all pictures must be equal.
 
-usage: compare_runs.py PROGRAM FIRST COUNT ISA,... THREADS,... [COMMAND...]
+Every instruction set draws them with the first thread count, and the first instruction set with every thread count: the
+two choices do not know of each other. With --every-pair all of them.
+
+usage: compare_runs.py [--every-pair] PROGRAM FIRST COUNT ISA,... THREADS,... [COMMAND...]
 COMMAND runs the program where the machine cannot by itself (an emulator). Every run is one process; the first ISA and
 thread count are what the others are compared with. A seed that differs is reported with the line that repeats it.
 """
@@ -23,8 +26,12 @@ def run(program, wrapper, first, count, isa, threads):
 
 
 def main():
-    program, first, count, isas, threads, *wrapper = sys.argv[1:]
-    choices = list(itertools.product(isas.split(","), threads.split(",")))
+    arguments = sys.argv[1:]
+    every_pair = arguments[0] == "--every-pair"
+    program, first, count, isas, threads, *wrapper = arguments[every_pair:]
+    isas, threads = isas.split(","), threads.split(",")
+    choices = [(isa, number) for isa, number in itertools.product(isas, threads)
+               if every_pair or number == threads[0] or isa == isas[0]]
     expected = run(program, wrapper, first, count, *choices[0])
     for line in expected:
         if len(line.split()) > 2:
