@@ -90,6 +90,32 @@ std::uint32_t element_of(const pipeline::VertexRange& range, std::uint32_t i) {
     return range.indices ? range.indices[i] : range.first + i;
 }
 
+template <typename Number>
+bool is_fourth_one_of(const pipeline::AttributeStream& stream, const pipeline::VertexRange& range) {
+    const std::byte* const fourth = stream.data + 3 * sizeof(Number);
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+        Number value;
+        std::memcpy(&value, fourth + std::size_t{element_of(range, i)} * stream.stride, sizeof value);
+        if (static_cast<float>(value) != 1.0f) return false;
+    }
+    return true;
+}
+
+bool is_fourth_one(const pipeline::AttributeStream& stream, const pipeline::VertexRange& range) {
+    switch (stream.type) {
+        case pipeline::ComponentType::kInt16:
+            return is_fourth_one_of<std::int16_t>(stream, range);
+        case pipeline::ComponentType::kInt32:
+            return is_fourth_one_of<std::int32_t>(stream, range);
+        case pipeline::ComponentType::kFloat32:
+            return is_fourth_one_of<float>(stream, range);
+        case pipeline::ComponentType::kFloat64:
+            return is_fourth_one_of<double>(stream, range);
+        default:
+            return false;  // no type of positions or texture coordinates
+    }
+}
+
 // A draw that reaches beyond the end of a buffer: the vertices are copied one by one, zeros where there is
 // nothing to copy.
 void draw_copied(Context& ctx, GLenum mode, const pipeline::VertexRange& range, const EnabledArrays& arrays) {
@@ -107,7 +133,9 @@ void draw_copied(Context& ctx, GLenum mode, const pipeline::VertexRange& range, 
         stream.data = copy.data();
         stream.stride = static_cast<std::uint32_t>(size);
     }
-    draw_primitives(ctx, mode, input, {0, range.count, nullptr, range.in_order}, ctx.arrays.vertex.size < 4);
+    const pipeline::VertexRange copied{0, range.count, nullptr, range.in_order};
+    input.fourth_is_one = find_fourth_ones(input, copied);
+    draw_primitives(ctx, mode, input, copied);
 }
 
 void draw_range(Context& ctx, GLenum mode, const pipeline::VertexRange& range) {
@@ -117,7 +145,9 @@ void draw_range(Context& ctx, GLenum mode, const pipeline::VertexRange& range) {
     if (arrays.any_mapped()) return record_error(ctx, GL_INVALID_OPERATION, "an array's buffer is mapped");
     if (!arrays.has_position()) return;
     if (!is_inside(range, arrays)) return draw_copied(ctx, mode, range, arrays);
-    draw_primitives(ctx, mode, input_of(ctx, arrays), range, ctx.arrays.vertex.size < 4);
+    pipeline::VertexInput input = input_of(ctx, arrays);
+    input.fourth_is_one = find_fourth_ones(input, range);
+    draw_primitives(ctx, mode, input, range);
 }
 
 bool check_mode_and_count(Context& ctx, GLenum mode, GLsizei count) {
@@ -245,6 +275,18 @@ Rule check_multi_draw(GLenum mode, const GLsizei* count, GLsizei drawcount, GLen
     if (std::any_of(count, count + drawcount, [](GLsizei n) { return n < 0; }))
         return {GL_INVALID_VALUE, "a count is negative"};
     return {};
+}
+
+pipeline::AttributeMask find_fourth_ones(const pipeline::VertexInput& input,
+                                         const pipeline::VertexRange& range) {
+    using pipeline::ComponentType;
+    pipeline::AttributeMask ones = 0;
+    for (int attribute = 0; attribute < pipeline::kAttributeCount; ++attribute) {
+        if (!(input.streamed & pipeline::kHomogeneous & pipeline::bit(attribute))) continue;
+        const pipeline::AttributeStream& stream = input.streams[static_cast<std::size_t>(attribute)];
+        if (stream.components < 4 || is_fourth_one(stream, range)) ones |= pipeline::bit(attribute);
+    }
+    return ones;
 }
 
 bool is_inside(const pipeline::VertexRange& range, const EnabledArrays& arrays) {

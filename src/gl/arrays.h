@@ -133,6 +133,10 @@ Rule check_multi_draw(GLenum mode, const GLsizei* count, GLsizei drawcount,
 // in memory already.
 inline constexpr std::size_t kMostVerticesBeyond = std::size_t{1} << 24;
 
+// The streams of four components whose last is 1 in all vertices of the range; see pipeline::VertexInput.
+pipeline::AttributeMask find_fourth_ones(const pipeline::VertexInput& input,
+                                         const pipeline::VertexRange& range);
+
 // Whether all elements of the range are in the arrays' buffers.
 bool is_inside(const pipeline::VertexRange& range, const EnabledArrays& arrays);
 

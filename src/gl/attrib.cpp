@@ -214,6 +214,7 @@ void restore(Context& ctx, const SavedAttributes& saved) {
     }
     if (saved.current) {
         ctx.vertex.current = saved.current->attributes;
+        ctx.vertex.batch.fourth = pipeline::kHomogeneous;  // until Begin looks at them
         ctx.raster_position = saved.current->raster_position;
     }
     if (saved.depth_buffer) {

@@ -19,10 +19,10 @@ void begin_change(Context& ctx, Dirty what) {
 }
 
 void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
-                     const pipeline::VertexRange& range, bool w_is_one) {
-    if (ctx.render_mode.mode != GL_RENDER) return capture_primitives(ctx, mode, input, range, w_is_one);
+                     const pipeline::VertexRange& range) {
+    if (ctx.render_mode.mode != GL_RENDER) return capture_primitives(ctx, mode, input, range);
     begin_drawing(ctx);
-    validate(ctx, input, w_is_one);
+    validate(ctx, input);
     ctx.renderer.draw(ctx.drawing.state, input, translate_mode(mode), range);
 }
 

@@ -40,13 +40,12 @@ struct Drawing {
     LitColors raster_lit;
 };
 
-// Queues primitives of vertices that were specified under the present state. `w_is_one`: so is every
-// position's w. Throws std::bad_alloc.
+// Queues primitives of vertices that were specified under the present state. Throws std::bad_alloc.
 void draw_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
-                     const pipeline::VertexRange& range, bool w_is_one);
+                     const pipeline::VertexRange& range);
 
 // Brings ctx.drawing.state up to date for a draw of these attributes.
-void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one);
+void validate(Context& ctx, const pipeline::VertexInput& input);
 
 // The pixels that draws and clears may touch, in the target's rows.
 void scissor_box(const Context& ctx, pipeline::RasterState& out);

@@ -61,14 +61,18 @@ void add_streams(ArraysRecord& record, const EnabledArrays& arrays) {
     }
 }
 
-// Whether every position's w is one, which drawing is faster with.
-bool w_is_one(const ArraysRecord& record, std::uint32_t elements) {
-    const ArraysRecord::Stream& position = record.streams[record.stream_count - 1u];
-    if (position.components < 4) return true;
-    const float* w = record.elements() + position.offset / sizeof(float) + 3;
-    for (std::uint32_t i = 0; i < elements; ++i, w += record.stride / sizeof(float))
-        if (*w != 1.0f) return false;
-    return true;
+// The elements as streams; other attributes have no value yet.
+pipeline::VertexInput input_of(const ArraysRecord& record) {
+    pipeline::VertexInput input;
+    const auto* const bytes = reinterpret_cast<const std::byte*>(record.elements());
+    for (std::uint32_t s = 0; s < record.stream_count; ++s) {
+        const ArraysRecord::Stream& stream = record.streams[s];
+        input.streamed |= pipeline::bit(stream.attribute);
+        input.streams[stream.attribute] = {bytes + stream.offset, record.stride,
+                                           pipeline::ComponentType::kFloat32, stream.components, false};
+    }
+    input.fourth_is_one = record.fourth_is_one;
+    return input;
 }
 
 // Records a draw of the range's vertices; `indices` is empty for consecutive elements.
@@ -94,7 +98,7 @@ void append_arrays(DisplayList& list, GLenum mode, pipeline::VertexRange range, 
         for (const ReadableArray& array : arrays)
             out = std::copy_n(array.element(element).begin(), array.array->size, out);
     }
-    made.w_is_one = w_is_one(made, count);
+    made.fourth_is_one = find_fourth_ones(input_of(made), {0, count});
 }
 
 // Throws nothing, as all that records; so the indices are fetched inside.
@@ -127,18 +131,10 @@ void record_draw_elements(Context& ctx, GLenum mode, GLsizei count, GLenum type,
 void draw(Context& ctx, const ArraysRecord& record) {
     if (!check_framebuffer(ctx)) return;
     flush_vertices(ctx);
-    pipeline::VertexInput input;
+    pipeline::VertexInput input = input_of(record);
     input.constants = ctx.vertex.current.values;
-    const auto* const bytes = reinterpret_cast<const std::byte*>(record.elements());
-    for (std::uint32_t s = 0; s < record.stream_count; ++s) {
-        const ArraysRecord::Stream& stream = record.streams[s];
-        input.streamed |= pipeline::bit(stream.attribute);
-        input.streams[stream.attribute] = {bytes + stream.offset, record.stride,
-                                           pipeline::ComponentType::kFloat32, stream.components, false};
-    }
     draw_primitives(ctx, record.mode, input,
-                    {0, record.vertex_count, record.index_count ? record.indices() : nullptr},
-                    record.w_is_one);
+                    {0, record.vertex_count, record.index_count ? record.indices() : nullptr});
 }
 
 // Calls draw(i) for each draw of a MultiDraw command, unless `rule` says why none is made.

@@ -29,7 +29,7 @@ struct ArraysRecord {
     std::uint32_t index_count;  // 0: the elements are drawn in their order; else as many as vertices
     std::uint32_t stride;       // bytes
     std::uint16_t stream_count;
-    bool w_is_one;  // of every position
+    pipeline::AttributeMask fourth_is_one;  // as in pipeline::VertexInput
     std::array<Stream, pipeline::kAttributeCount> streams;
 
     const std::uint32_t* indices() const { return reinterpret_cast<const std::uint32_t*>(this + 1); }

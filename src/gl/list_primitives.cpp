@@ -85,9 +85,8 @@ void play_batch(Context& ctx, const PrimitivesRecord& record, bool draw) {
     // nothing else back.
     for (std::uint32_t r = 0; draw && r < record.run_count; ++r) {
         const PrimitiveRun& run = record.runs()[r];
-        guarded(ctx, [&] {
-            draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}, record.w_is_one);
-        });
+        input.fourth_is_one = ~run.fourth;
+        guarded(ctx, [&] { draw_primitives(ctx, run.mode, input, {run.first, run.count, nullptr}); });
     }
     set_attributes(ctx, record.after(), record.after_count);
 }

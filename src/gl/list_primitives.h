@@ -35,7 +35,6 @@ struct PrimitivesRecord {
     std::uint32_t vertex_count;
     std::uint32_t stride;  // bytes
     std::uint16_t stream_count;
-    bool w_is_one;   // of every position
     bool index_set;  // the current colour index is left at `index`
     GLfloat index;
     std::array<Stream, pipeline::kAttributeCount> streams;

@@ -100,6 +100,9 @@ void ListVertices::begin(DisplayList& list, GLenum mode) {
     const bool unknown_so_far = (m_changed & ~m_streamed & ~m_constant) != 0;
     if (m_count != 0 && unknown_so_far) finish(list);
     m_open = true;
+    m_fourth = 0;
+    for_each_bit(m_set & pipeline::kHomogeneous,
+                 [&](int a) { note_fourth(a, m_last[static_cast<std::size_t>(a)]); });
     m_mode = mode;
     m_open_first = m_count;
 }
@@ -111,7 +114,7 @@ void ListVertices::end(DisplayList& list) {
         list.append<EndRecord>();
         return;
     }
-    add_run(m_runs, {m_mode, m_open_first, m_count - m_open_first});
+    add_run(m_runs, {m_mode, m_open_first, m_count - m_open_first, false, false, m_fourth});
     m_open = false;
 }
 
@@ -134,11 +137,17 @@ void ListVertices::vertex(DisplayList& list, const Value& position) {
     m_data.insert(m_data.end(), position.begin(), position.end());
     for (const std::uint8_t a : m_streams) m_data.insert(m_data.end(), m_last[a].begin(), m_last[a].end());
     ++m_count;
+    note_fourth(pipeline::kPosition, position);
+}
+
+void ListVertices::note_fourth(int attribute, const Value& value) {
+    if (value[3] != 1) m_fourth |= pipeline::bit(attribute) & pipeline::kHomogeneous;
 }
 
 void ListVertices::attribute(DisplayList& list, int attribute, const Value& value) {
     if (m_call_by_call) return record_call(list, attribute, value);
     m_last[static_cast<std::size_t>(attribute)] = value;
+    note_fourth(attribute, value);
     m_set |= pipeline::bit(attribute);
     m_changed |= pipeline::bit(attribute);
 }
@@ -245,7 +254,6 @@ void ListVertices::record_batch(DisplayList& list) {
     record.before_count = static_cast<std::uint32_t>(std::popcount(m_constant));
     record.after_count = static_cast<std::uint32_t>(std::popcount(m_set));
     record.vertex_count = m_count;
-    record.w_is_one = record.streams[0].components < 4;
     record.index_set = m_index_set;
     record.index = m_index;
 

@@ -40,6 +40,7 @@ class ListVertices {
 
   private:
     void start_batch();
+    void note_fourth(int attribute, const std::array<GLfloat, 4>& value);
     void add_stream(int attribute);
     void record_attributes(DisplayList& list, pipeline::AttributeMask mask) const;
     void record_open_run(DisplayList& list);
@@ -59,7 +60,8 @@ class ListVertices {
     bool m_index_set = false;
     GLfloat m_index = 0;
 
-    bool m_open = false;  // a run is being collected
+    bool m_open = false;                   // a run is being collected
+    pipeline::AttributeMask m_fourth = 0;  // as VertexBatch::fourth
     GLenum m_mode = 0;
     std::uint32_t m_open_first = 0;
     bool m_call_by_call = false;  // until End

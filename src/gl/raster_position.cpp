@@ -121,7 +121,7 @@ void light_position(Context& ctx, const Vector4& object, RasterPosition& out) {
     input.constants[pipeline::kPosition] = object;
     if (!same || !is_lit_from_afar(state.lighting)) {
         lit.lighting = 0;  // until there are new ones
-        if (!is_valid) validate(ctx, input, false);
+        if (!is_valid) validate(ctx, input);
         pipeline::ShadedVertices& vertices = drawing.raster_vertices;
         vertices.reserve(pipeline::kFirstVarying + 2 * state.varyings.count);
         const pipeline::FloatEnvironment environment;

@@ -147,8 +147,8 @@ void note_hit(Context& ctx, GLfloat z) {
 }
 
 void capture_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
-                        const pipeline::VertexRange& range, bool w_is_one) {
-    validate(ctx, input, w_is_one);
+                        const pipeline::VertexRange& range) {
+    validate(ctx, input);
     pipeline::DrawState state = ctx.drawing.state;
     // Nothing of how lines and points become pixels matters.
     pipeline::RasterState& raster = state.raster;

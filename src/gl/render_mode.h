@@ -40,7 +40,7 @@ struct RenderModeState {
 
 // What draw_primitives() does in these modes. Throws std::bad_alloc.
 void capture_primitives(Context& ctx, GLenum mode, const pipeline::VertexInput& input,
-                        const pipeline::VertexRange& range, bool w_is_one);
+                        const pipeline::VertexRange& range);
 
 // What a bitmap or pixel rectangle at the current raster position leaves behind (`token` in feedback).
 void capture_raster(Context& ctx, GLenum token);

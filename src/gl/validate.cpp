@@ -285,13 +285,10 @@ namespace {
 // Whether q may be other than 1 in the coordinates of unit `number`.
 bool may_project(const pipeline::TextureCoordinates& coordinates, int number,
                  const pipeline::VertexInput& input) {
-    const auto attribute = static_cast<std::size_t>(pipeline::kTexture0 + number);
-    const bool streams_q = input.streamed & bit(static_cast<int>(attribute))
-                               ? input.streams[attribute].components > 3
-                               : input.constants[attribute][3] != 1;
     const float* const m = coordinates.matrix;
     const bool projects = m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1;
-    return streams_q || projects || coordinates.texgen[3] != pipeline::TexgenMode::kOff;
+    return projects || coordinates.texgen[3] != pipeline::TexgenMode::kOff ||
+           !has_fourth_one(input, pipeline::kTexture0 + number);
 }
 
 // One bit for each unit of those in use whose coordinates may_project.
@@ -462,9 +459,11 @@ bool secondary_varies(const Context& ctx, const pipeline::VertexInput& input) {
 }
 
 // What of the key depends on more than the state that make_fragment reads.
-void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, bool w_is_one,
-                     raster::FragmentKey& key) {
+void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, raster::FragmentKey& key) {
     const pipeline::VertexState& vertex = ctx.drawing.state.vertex;
+    // The point of a raster position is no stream: it is no reason to change a key.
+    const bool w_is_one =
+        (input.streamed & bit(pipeline::kPosition)) && has_fourth_one(input, pipeline::kPosition);
     key.perspective = !(vertex.affine && w_is_one);
     key.interpolated_color = ctx.lighting.enabled || (input.streamed & bit(pipeline::kColor));
     // Without perspective a constant plane is as good.
@@ -475,13 +474,13 @@ void key_of_vertices(const Context& ctx, const pipeline::VertexInput& input, boo
 
 // Whether the fragment state of the last draw serves this one too: programs that move from object to object
 // or from material to material need no other.
-bool fragment_still_fits(const Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
+bool fragment_still_fits(const Context& ctx, const pipeline::VertexInput& input) {
     constexpr unsigned kApartFromKey =
         static_cast<unsigned>(Dirty::kTransform) | static_cast<unsigned>(Dirty::kLighting);
     const Drawing& drawing = ctx.drawing;
     if (!drawing.state.fragment || (ctx.dirty & ~kApartFromKey)) return false;
     raster::FragmentKey key = drawing.state.fragment->fill.key;
-    key_of_vertices(ctx, input, w_is_one, key);
+    key_of_vertices(ctx, input, key);
     return key == drawing.state.fragment->fill.key &&
            drawing.constant_color == input.constants[pipeline::kColor] &&
            drawing.constant_secondary == input.constants[pipeline::kSecondaryColor] &&
@@ -536,7 +535,7 @@ void clamp_depths(const Context& ctx, raster::FragmentState& state) {
     state.depth_range[1] = static_cast<float>(high);
 }
 
-void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
+void make_fragment(Context& ctx, const pipeline::VertexInput& input) {
     pipeline::DrawState& draw = ctx.drawing.state;
     auto block = std::make_shared<pipeline::FragmentBlock>();
     raster::FragmentState& state = block->fill;
@@ -558,7 +557,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input, bool w_is_o
         state.target_height_for_stipple =
             ctx.surface.format.rows == raster::RowOrder::kTopFirst ? ctx.surface.height : 0;
     }
-    key_of_vertices(ctx, input, w_is_one, key);
+    key_of_vertices(ctx, input, key);
     const auto& color = input.constants[pipeline::kColor];
     std::transform(color.begin(), color.end(), state.constant_color, unit);
 
@@ -659,7 +658,7 @@ void scissor_box(const Context& ctx, pipeline::RasterState& out) {
     out.y1 = static_cast<int>(std::clamp<std::int64_t>(rows.end, 0, target.height));
 }
 
-void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
+void validate(Context& ctx, const pipeline::VertexInput& input) {
     Drawing& drawing = ctx.drawing;
     pipeline::VertexState& vertex = drawing.state.vertex;
     if (is_dirty(ctx, Dirty::kTransform) || is_dirty(ctx, Dirty::kFramebuffer)) make_transform(ctx, vertex);
@@ -680,9 +679,9 @@ void validate(Context& ctx, const pipeline::VertexInput& input, bool w_is_one) {
             if (coordinates.used) make_texture_coordinates(ctx, u, coordinates);
         }
     }
-    const bool new_fragment = !fragment_still_fits(ctx, input, w_is_one);
+    const bool new_fragment = !fragment_still_fits(ctx, input);
     if (new_fragment) {
-        make_fragment(ctx, input, w_is_one);
+        make_fragment(ctx, input);
         drawing.constant_color = input.constants[pipeline::kColor];
         drawing.constant_secondary = input.constants[pipeline::kSecondaryColor];
         drawing.secondary_varies = secondary_varies(ctx, input);

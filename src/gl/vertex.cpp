@@ -46,18 +46,23 @@ std::uint32_t vertices_of_independent(GLenum mode) {
 }
 
 // The run that one of `mode` beginning at vertex `first` becomes part of; null when it stands alone.
-PrimitiveRun* run_to_join(std::vector<PrimitiveRun>& runs, GLenum mode, std::uint32_t first) {
+// Positions whose w is one are drawn another way, which may round another way: how a primitive is drawn must
+// not depend on what else was collected, or a display list would differ from its commands.
+PrimitiveRun* run_to_join(std::vector<PrimitiveRun>& runs, GLenum mode, std::uint32_t first,
+                          pipeline::AttributeMask fourth) {
     const std::uint32_t vertices = vertices_of_independent(mode);
     if (vertices == 0 || runs.empty()) return nullptr;
     PrimitiveRun& last = runs.back();
-    const bool joins = last.mode == mode && last.first + last.count == first && last.count % vertices == 0;
+    const bool joins = last.mode == mode && last.first + last.count == first && last.count % vertices == 0 &&
+                       last.fourth == fourth;
     return joins ? &last : nullptr;
 }
 
 // How many vertices the batch may hold until the open run is broken.
 std::uint32_t longest_batch(VertexState& vertex) {
     if (!vertex.open || vertices_of_independent(vertex.mode) == 0) return kLongestConnectedBatch;
-    const PrimitiveRun* joined = run_to_join(vertex.batch.runs, vertex.mode, vertex.open_first);
+    const PrimitiveRun* joined =
+        run_to_join(vertex.batch.runs, vertex.mode, vertex.open_first, vertex.batch.fourth);
     return (joined ? joined->first : vertex.open_first) + kLongestRun;
 }
 
@@ -76,7 +81,6 @@ void clear_batch(VertexState& vertex) {
     batch.stride = 4;
     batch.mask = 0;
     batch.stream_count = 0;
-    batch.w_is_one = true;
     batch.runs.clear();
     batch.failures = 0;
     set_layout(vertex);
@@ -116,9 +120,9 @@ void draw_runs(Context& ctx) {
         }
     } flight(batch);
     for (const PrimitiveRun& run : batch.runs) {
+        input.fourth_is_one = ~run.fourth;
         draw_primitives(ctx, run.mode, input,
-                        {run.first, run.count, nullptr, true, run.continues, run.is_continued},
-                        batch.w_is_one);
+                        {run.first, run.count, nullptr, true, run.continues, run.is_continued});
         ++flight.drawn;
     }
 }
@@ -149,6 +153,7 @@ Break break_run(GLenum mode, std::uint32_t count) {
 void draw_whole_pieces(Context& ctx) {
     VertexBatch& batch = ctx.vertex.batch;
     const std::uint32_t rest = batch.runs.back().count % kPiece;
+    const pipeline::AttributeMask fourth = batch.runs.back().fourth;
     batch.runs.back().count -= rest;
     try {
         draw_runs(ctx);
@@ -160,7 +165,7 @@ void draw_whole_pieces(Context& ctx) {
     std::copy_n(batch.next - floats, floats, batch.data.data());
     batch.count = rest;
     batch.failures = 0;
-    add_run(batch.runs, {GL_QUADS, 0, rest});  // there is room for one
+    add_run(batch.runs, {GL_QUADS, 0, rest, false, false, fourth});  // there is room for one
     set_layout(ctx.vertex);
 }
 
@@ -181,7 +186,8 @@ void break_open_run(Context& ctx) {
         vertex.loop_start.assign(run, run + batch.stride);
         vertex.mode = GL_LINE_STRIP;
     }
-    add_run(batch.runs, {vertex.mode, vertex.open_first, parts.drawn, vertex.open_continues, true});
+    add_run(batch.runs,
+            {vertex.mode, vertex.open_first, parts.drawn, vertex.open_continues, true, batch.fourth});
     vertex.open_continues = true;
     draw_runs(ctx);
     std::copy(kept.begin(), kept.end(), batch.data.begin());
@@ -214,8 +220,17 @@ void close_run(Context& ctx) {
         batch.next += batch.stride;
         ++batch.count;
     }
-    add_run(batch.runs,
-            {vertex.mode, vertex.open_first, batch.count - vertex.open_first, vertex.open_continues, false});
+    add_run(batch.runs, {vertex.mode, vertex.open_first, batch.count - vertex.open_first,
+                         vertex.open_continues, false, batch.fourth});
+}
+
+// Those that vertices take which give none of their own.
+pipeline::AttributeMask fourth_of_current(const VertexState& vertex) {
+    pipeline::AttributeMask fourth = 0;
+    if (vertex.batch.fourth == 0) return fourth;  // as it is with most programs
+    for (int a = pipeline::kTexture0; a < pipeline::kTexture0 + kMaxTextureUnits; ++a)
+        if (vertex.current.values[static_cast<std::size_t>(a)][3] != 1) fourth |= pipeline::bit(a);
+    return fourth;
 }
 
 void leave_primitives(VertexState& vertex) {
@@ -227,7 +242,7 @@ void leave_primitives(VertexState& vertex) {
 
 void add_run(std::vector<PrimitiveRun>& runs, const PrimitiveRun& run) {
     if (run.count == 0) return;
-    if (PrimitiveRun* last = run_to_join(runs, run.mode, run.first)) {
+    if (PrimitiveRun* last = run_to_join(runs, run.mode, run.first, run.fourth)) {
         last->count += run.count;
     } else {
         runs.push_back(run);
@@ -308,6 +323,7 @@ bool open_primitive(Context& ctx, GLenum mode) {
     ctx.vertex.open = true;
     ctx.vertex.is_lost = false;
     ctx.vertex.open_continues = false;
+    ctx.vertex.batch.fourth = fourth_of_current(ctx.vertex);
     ctx.vertex.loop_start.clear();
     set_layout(ctx.vertex);
     set_inside_begin_end(ctx, true);

@@ -41,6 +41,7 @@ struct PrimitiveRun {
     std::uint32_t first, count;
     // Of a strip, loop or polygon that was drawn in parts: not the first one, not the last one.
     bool continues = false, is_continued = false;
+    pipeline::AttributeMask fourth = 0;  // as VertexBatch::fourth
 };
 
 // Adds a run of vertices, as part of the last one where that draws the same.
@@ -57,7 +58,8 @@ struct VertexBatch {
     pipeline::AttributeMask mask = 0;  // attributes in `streams`
     std::uint32_t stream_count = 0;
     std::array<std::uint8_t, pipeline::kAttributeCount> streams{};
-    bool w_is_one = true;  // of every position
+    // Attributes of pipeline::kHomogeneous whose fourth component has been other than 1 since Begin.
+    pipeline::AttributeMask fourth = 0;
     std::vector<PrimitiveRun> runs;
     bool in_flight = false;  // on its way to the pipeline, which may change what is drawn to
     int failures = 0;        // how often it could not go there

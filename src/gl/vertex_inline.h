@@ -13,7 +13,9 @@ void set_attribute_slowly(Context& ctx, int attribute, GLfloat x, GLfloat y, GLf
 void vertex4f_slowly(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) noexcept;
 
 inline void set_attribute(Context& ctx, int attribute, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-    const VertexBatch& batch = ctx.vertex.batch;
+    VertexBatch& batch = ctx.vertex.batch;
+    if ((pipeline::bit(attribute) & pipeline::kHomogeneous) && w != 1)
+        batch.fourth |= pipeline::bit(attribute);
     if (batch.count != 0 && !(batch.mask & pipeline::bit(attribute))) [[unlikely]] {
         return set_attribute_slowly(ctx, attribute, x, y, z, w);
     }
@@ -37,7 +39,7 @@ inline void vertex4f(Context& ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     }
     batch.next += batch.stride;
     ++batch.count;
-    batch.w_is_one = batch.w_is_one && w == 1.0f;
+    if (w != 1) batch.fourth |= pipeline::bit(pipeline::kPosition);
 }
 
 inline void color4f(Context& ctx, GLfloat r, GLfloat g, GLfloat b, GLfloat a) {

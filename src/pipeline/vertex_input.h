@@ -49,9 +49,21 @@ struct AttributeStream {
 
 struct VertexInput {
     AttributeMask streamed = 0;  // attributes that have a stream; the others are constant
+    // Streams of kHomogeneous attributes whose fourth component is 1 in every vertex that is drawn.
+    AttributeMask fourth_is_one = 0;
     std::array<AttributeStream, kAttributeCount> streams;
     std::array<std::array<float, 4>, kAttributeCount> constants{};
 };
+
+// Attributes that are divided by their fourth component: where it is 1 everywhere drawing is faster, and may
+// round another way.
+constexpr AttributeMask kHomogeneous = bit(kPosition) | ((1u << raster::kMaxTextureUnits) - 1) << kTexture0;
+
+inline bool has_fourth_one(const VertexInput& input, int attribute) {
+    const auto i = static_cast<std::size_t>(attribute);
+    if (!(input.streamed & bit(attribute))) return input.constants[i][3] == 1;
+    return input.streams[i].components < 4 || (input.fourth_is_one & bit(attribute));
+}
 
 enum class PrimitiveMode : uint8_t {
     kPoints,

@@ -8,6 +8,8 @@
 
 #include <cstdlib>
 #include <functional>
+#include <numeric>
+#include <vector>
 
 #include "trial.h"
 
@@ -179,7 +181,10 @@ void geometry(Trial& trial, std::string& text) {
 }
 
 TEST(CommandLists, GeometryIsTheSameThroughAList) {
-    for (unsigned seed = 1; seed <= seed_count(60); ++seed) {
+    std::vector<unsigned> seeds(seed_count(60));
+    std::iota(seeds.begin(), seeds.end(), 1u);
+    seeds.push_back(836);  // a texture coordinate's q rounded the primitives before it another way
+    for (const unsigned seed : seeds) {
         const bool feedback = seed % 2 == 1;
         std::string text;
         const auto commands = [&](Trial& trial) {
