@@ -124,13 +124,14 @@ PixelMap& pixel_map_of(Context& ctx, GLenum map) {
     return ctx.pixels.maps[map - GL_PIXEL_MAP_I_TO_I];
 }
 
-// A map's values in the program's memory or a buffer; null, and the error is recorded, where there are none.
+// A map's values in the program's memory or a buffer; unusable, and the error is recorded, where there are
+// none.
 template <typename T>
-T* find_values(Context& ctx, const PixelStore& store, GLsizei count, T* values) {
+PixelMemory find_values(Context& ctx, const PixelStore& store, GLsizei count, T* values) {
     PixelMemory memory = find_elements(ctx, store, count, sizeof(T), values);
     if (memory.is_usable() && !memory.data) memory.rule = {GL_INVALID_VALUE, "values is null"};
-    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words), nullptr;
-    return reinterpret_cast<T*>(memory.data);
+    if (!memory.is_usable()) record_error(ctx, memory.rule.code, memory.rule.words);
+    return memory;
 }
 
 GLfloat as_color(GLfloat value) {
@@ -151,8 +152,9 @@ void set_pixel_map(Context& ctx, GLenum map, GLsizei size, const T* values) {
     if (is_indexed_by_indices(map) && !std::has_single_bit(static_cast<unsigned>(size))) {
         return record_error(ctx, GL_INVALID_VALUE, "the size of a map from indices is no power of two");
     }
-    values = find_values(ctx, ctx.pixels.unpack, size, values);
-    if (!values) return;
+    const PixelMemory memory = find_values(ctx, ctx.pixels.unpack, size, values);
+    if (!memory.is_usable()) return;
+    values = reinterpret_cast<const T*>(memory.data);
     PixelMap& target = pixel_map_of(ctx, map);
     target.size = size;
     for (GLsizei i = 0; i < size; ++i) {
@@ -171,8 +173,9 @@ template <typename T>
 void get_pixel_map(Context& ctx, GLenum map, T* values, double maximum) {
     if (!is_pixel_map(map)) return record_error(ctx, GL_INVALID_ENUM, "unknown pixel map");
     const PixelMap& source = pixel_map_of(ctx, map);
-    values = find_values(ctx, ctx.pixels.pack, source.size, values);
-    if (!values) return;
+    const PixelMemory memory = find_values(ctx, ctx.pixels.pack, source.size, values);
+    if (!memory.is_usable()) return;
+    values = reinterpret_cast<T*>(memory.data);
     for (GLsizei i = 0; i < source.size; ++i) {
         const double value = static_cast<double>(source.values[static_cast<size_t>(i)]);
         const double scaled = holds_indices(map) ? std::round(value) : value * maximum;
@@ -235,8 +238,9 @@ void pixel_mapusv(Context& ctx, GLenum map, GLsizei mapsize, const GLushort* val
 void get_pixel_mapfv(Context& ctx, GLenum map, GLfloat* values) {
     if (!is_pixel_map(map)) return record_error(ctx, GL_INVALID_ENUM, "unknown pixel map");
     const PixelMap& source = pixel_map_of(ctx, map);
-    values = find_values(ctx, ctx.pixels.pack, source.size, values);
-    if (values) std::copy_n(source.values.begin(), source.size, values);
+    const PixelMemory memory = find_values(ctx, ctx.pixels.pack, source.size, values);
+    if (memory.is_usable())
+        std::copy_n(source.values.begin(), source.size, reinterpret_cast<GLfloat*>(memory.data));
 }
 
 void get_pixel_mapuiv(Context& ctx, GLenum map, GLuint* values) {

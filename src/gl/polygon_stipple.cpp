@@ -28,20 +28,21 @@ BitAddress bit_address(const PixelStore& store, int x, int y) {
             static_cast<GLubyte>(store.lsb_first ? 1u << bit : 0x80u >> bit)};
 }
 
-// The pattern's bytes; null, and the error is recorded, where there are none.
-GLubyte* find_pattern(Context& ctx, const PixelStore& store, const GLubyte* mask) {
+// The pattern's bytes; unusable, and the error is recorded, where there are none.
+PixelMemory find_pattern(Context& ctx, const PixelStore& store, const GLubyte* mask) {
     PixelMemory memory =
         find_image(ctx, store, {kStippleSize, kStippleSize}, GL_COLOR_INDEX, GL_BITMAP, mask);
     if (memory.is_usable() && !memory.data) memory.rule = {GL_INVALID_VALUE, "mask is null"};
-    if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words), nullptr;
-    return reinterpret_cast<GLubyte*>(memory.data);
+    if (!memory.is_usable()) record_error(ctx, memory.rule.code, memory.rule.words);
+    return memory;
 }
 
 }  // namespace
 
 void polygon_stipple(Context& ctx, const GLubyte* mask) {
-    const GLubyte* const source_bytes = find_pattern(ctx, ctx.pixels.unpack, mask);
-    if (!source_bytes) return;
+    const PixelMemory memory = find_pattern(ctx, ctx.pixels.unpack, mask);
+    if (!memory.is_usable()) return;
+    const auto* const source_bytes = reinterpret_cast<const GLubyte*>(memory.data);
     PolygonStipple pattern;
     for (int y = 0; y < kStippleSize; ++y) {
         pattern.rows[y] = 0;
@@ -54,8 +55,9 @@ void polygon_stipple(Context& ctx, const GLubyte* mask) {
 }
 
 void get_polygon_stipple(Context& ctx, GLubyte* mask) {
-    GLubyte* const bytes = find_pattern(ctx, ctx.pixels.pack, mask);
-    if (!bytes) return;
+    const PixelMemory memory = find_pattern(ctx, ctx.pixels.pack, mask);
+    if (!memory.is_usable()) return;
+    auto* const bytes = reinterpret_cast<GLubyte*>(memory.data);
     for (int y = 0; y < kStippleSize; ++y) {
         for (int x = 0; x < kStippleSize; ++x) {
             const BitAddress target = bit_address(ctx.pixels.pack, x, y);

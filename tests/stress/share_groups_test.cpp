@@ -159,6 +159,53 @@ TEST_F(ShareGroups, BuffersGetNewStores) {
     run({specify_bytes, specify_bytes, specify_vertices, read_back, draw_pixels, draw_arrays});
 }
 
+// Every command that takes pixels from a buffer or puts them there keeps the store it began with.
+TEST_F(ShareGroups, PixelsAreInStoresThatAreReplaced) {
+    constexpr GLuint kUnpacked = 1, kPacked = 2;
+    constexpr GLsizeiptr kBytes = 4096;  // more than any of them needs
+    const auto replace = [](GLenum target, GLuint name, Random& random) {
+        glBindBuffer(target, name);
+        glBufferData(target, kBytes << random.below(2), nullptr, GL_STREAM_DRAW);
+        glBindBuffer(target, 0);
+    };
+    const auto replace_unpacked = [&](Random& random) { replace(GL_PIXEL_UNPACK_BUFFER, kUnpacked, random); };
+    const auto replace_packed = [&](Random& random) { replace(GL_PIXEL_PACK_BUFFER, kPacked, random); };
+    const auto unpack = [](Random&) {
+        glBindBuffer(GL_PIXEL_UNPACK_BUFFER, kUnpacked);
+        glPolygonStipple(nullptr);
+        glPixelMapfv(GL_PIXEL_MAP_R_TO_R, 256, nullptr);
+        glPixelMapuiv(GL_PIXEL_MAP_G_TO_G, 256, nullptr);
+        glPixelMapusv(GL_PIXEL_MAP_B_TO_B, 256, nullptr);
+        glWindowPos2i(0, 0);
+        glBitmap(kSize, kSize, 0, 0, 0, 0, nullptr);
+        glDrawPixels(kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 16, 16, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glCompressedTexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, 16, 16, 0, 256, nullptr);
+        glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 16, 16, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, 256,
+                                  nullptr);
+        glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    };
+    const auto pack = [](Random&) {
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, kPacked);
+        glGetPolygonStipple(nullptr);
+        glGetPixelMapfv(GL_PIXEL_MAP_R_TO_R, nullptr);
+        glGetPixelMapuiv(GL_PIXEL_MAP_G_TO_G, nullptr);
+        glGetPixelMapusv(GL_PIXEL_MAP_B_TO_B, nullptr);
+        glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glBindTexture(GL_TEXTURE_2D, 7);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     nullptr);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glGetCompressedTexImage(GL_TEXTURE_2D, 0, nullptr);
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    };
+    Random random(1);
+    replace_unpacked(random);
+    replace_packed(random);
+    run({replace_unpacked, replace_packed, unpack, pack});
+}
+
 // The two write to the store at the same time in the only way that makes sense: one replaces it.
 TEST_F(ShareGroups, BuffersAreWrittenInPartsWhileTheyGetNewStores) {
     glBindBuffer(GL_ARRAY_BUFFER, 1);
