@@ -179,7 +179,9 @@ void draw_indexed(Context& ctx, GLenum mode, GLsizei given_count, GLenum type, c
     if (bytes.mapped) return record_error(ctx, GL_INVALID_OPERATION, "the element buffer is mapped");
     if (count == 0) return;
     const bool aligned = reinterpret_cast<std::uintptr_t>(bytes.data) % alignof(std::uint32_t) == 0;
-    if (type == GL_UNSIGNED_INT && aligned)
+    // Indices are looked at before they are used: another context must not change them in between.
+    const bool may_change = bytes.keep && ctx.shared.use_count() > 1;
+    if (type == GL_UNSIGNED_INT && aligned && !may_change)
         return draw_range(
             ctx, mode,
             {0, static_cast<std::uint32_t>(count), reinterpret_cast<const std::uint32_t*>(bytes.data)});
