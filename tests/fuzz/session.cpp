@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <mutex>
+#include <shared_mutex>
 
 #include "fuzz/arguments.h"
 #include "fuzz/bounded_work.h"
@@ -14,6 +16,18 @@ constexpr unsigned kMostCallsInList = 2;  // of other lists, each of which has a
 
 bool is_plain(std::int64_t list) {
     return list >= 1 && list <= kPlainLists;
+}
+
+// Who shares a buffer keeps apart by himself who writes its bytes and who reads them; everything else about
+// it is the library's to synchronise.
+std::shared_mutex g_contents;
+
+bool may_write_buffers(const Command& command, const ClientState& client) {
+    if (command.family == "glBufferSubData") return true;
+    const bool packs = command.family == "glReadPixels" || command.family == "glGetTexImage" ||
+                       command.family == "glGetCompressedTexImage" ||
+                       command.family == "glGetPolygonStipple" || command.family.starts_with("glGetPixelMap");
+    return packs && client.pack_buffer != 0;
 }
 
 // What the command's parameter makes of the number.
@@ -108,6 +122,9 @@ void Session::call_with(const Command& command, Random& random, Value* values) {
     ClientMemory transient;
     provide(command, random, values, transient);
     {
+        std::unique_lock writing(g_contents, std::defer_lock);
+        std::shared_lock reading(g_contents, std::defer_lock);
+        if (options.shared) may_write_buffers(command, m_model->client) ? writing.lock() : reading.lock();
         const Announced announced(*this, command.name.data(),
                                   options.trace ? text_of(command, values) : std::string());
         command.invoke(function, values);
