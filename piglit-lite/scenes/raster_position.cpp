@@ -1,4 +1,6 @@
 // Chapter: the current raster position (GL 1.5 §2.13).
+#include <cmath>
+
 #include "helpers.h"
 
 using namespace terrazzo::piglit;
@@ -77,6 +79,33 @@ SCENE(raster_position_texture_coordinates, "the texture matrix and generated coo
         gl.LoadIdentity();
         if (i % 4 == 0) gl.Rotatef(random(0, 90), 1, 2, 3);
         gl.TexCoord4f(random(-1, 1), random(-1, 1), random(-1, 1), random(0.5F, 1));
+        gl.RasterPos3f(random(-1, 1), random(-1, 1), random(-1, 1));
+        note_position(gl, notes, std::to_string(i));
+    }
+}
+
+// The reference may leave the normal in object coordinates here, so those are the eye's but for a
+// translation; tests/unit/raster_position_test.cpp turns and scales them.
+SCENE(raster_position_reflections,
+      "coordinates generated from the normal: spheres, reflections, the normal itself",
+      .draws_nothing_visible = true) {
+    Random random(11);
+    constexpr GLenum kModes[] = {GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP};
+    constexpr GLenum kCoordinates[] = {GL_S, GL_T, GL_R};
+    for (int i = 0; i < 30; ++i) {
+        random_transform(gl, random);
+        gl.LoadIdentity();
+        gl.Translatef(random(-1, 1), random(-1, 1), random(-9, -3));
+        const GLenum mode = kModes[i % 3];
+        for (const GLenum coordinate : kCoordinates) {
+            const bool generated = coordinate != GL_R || mode != GL_SPHERE_MAP;  // a sphere has no R
+            if (generated) gl.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, static_cast<GLint>(mode));
+            const auto set = generated ? gl.Enable : gl.Disable;
+            set(GL_TEXTURE_GEN_S + coordinate - GL_S);
+        }
+        const GLfloat x = random(-0.7F, 0.7F), y = random(-0.7F, 0.7F);
+        gl.Normal3f(x, y, std::sqrt(1 - x * x - y * y));
+        gl.TexCoord4f(0.1F, 0.2F, 0.3F, 1);
         gl.RasterPos3f(random(-1, 1), random(-1, 1), random(-1, 1));
         note_position(gl, notes, std::to_string(i));
     }

@@ -266,7 +266,26 @@ TEST_F(ShareGroups, NamesComeAndGo) {
         if (!random.once_in(10)) return;
         const auto another = create_context(Config{}, m_partner.get());
     };
-    run({buffers, buffers, textures, textures, renderbuffers, renderbuffers, lists, lists, contexts});
+    // Every other command that looks a name up, which may be there or not.
+    const auto lookups = [](Random& random) {
+        const auto name = [&] { return static_cast<GLuint>(1 + random.below(20)); };
+        const GLuint names[2] = {name(), name()};
+        const GLclampf priorities[2] = {0.25f, 0.75f};
+        GLboolean resident[2];
+        glAreTexturesResident(2, names, resident);
+        glPrioritizeTextures(2, names, priorities);
+        glCallLists(2, GL_UNSIGNED_INT, names);
+        glBindFramebuffer(GL_FRAMEBUFFER, 1);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, name());
+        glFramebufferTexture1D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_1D, name(), 0);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name(), 0);
+        glFramebufferTexture3D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_3D, name(), 0, 0);
+        glCheckFramebufferStatus(GL_FRAMEBUFFER);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        while (glGetError() != GL_NO_ERROR) continue;
+    };
+    run({buffers, buffers, textures, textures, renderbuffers, renderbuffers, lists, lists, contexts,
+         lookups});
 }
 
 TEST_F(ShareGroups, TexturesGetNewImages) {
