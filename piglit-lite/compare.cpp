@@ -24,7 +24,12 @@ void require_share(Comparison& result, const char* what, std::size_t count, doub
                                               100 * share(count, result.pixels), 100 * allowed));
 }
 
+bool same_colours(const Drawing& ours, const Drawing& theirs) {
+    return ours.format == theirs.format && ours.colour == theirs.colour;
+}
+
 void compare_colour(const Scene& scene, const Drawing& ours, const Drawing& theirs, Comparison& result) {
+    if (same_colours(ours, theirs)) return;  // as most are: no need for pictures
     const OIIO::ImageBuf a = colour_picture(scene, ours), b = colour_picture(scene, theirs);
     // Half of a further step of 1/255 keeps rounding in float out of the decision.
     const auto threshold = static_cast<float>((scene.tolerance.colour_steps + 0.5) / 255);
@@ -149,9 +154,10 @@ Comparison compare(const Scene& scene, const Drawing& ours, const Drawing& their
                                   joined(theirs.errors));
     else if (!ours.errors.empty())
         result.problems.push_back("the scene leaves GL errors: " + joined(ours.errors));
-    if (!scene.draws_nothing_visible && is_blank(scene, theirs))
-        result.problems.emplace_back("the reference's picture is blank");
-    if (!scene.draws_nothing_visible && is_blank(scene, ours))
+    if (scene.draws_nothing_visible) return result;
+    const bool theirs_is_blank = is_blank(scene, theirs);
+    if (theirs_is_blank) result.problems.emplace_back("the reference's picture is blank");
+    if (same_colours(ours, theirs) ? theirs_is_blank : is_blank(scene, ours))
         result.problems.emplace_back("the picture is blank");
     return result;
 }

@@ -24,6 +24,7 @@ struct CommandLine {
     std::string report_folder;
     std::string junit_path;
     std::string contact_path;
+    bool only_failures = false;
     bool list = false;
     bool print_values = false;
 };
@@ -69,6 +70,8 @@ void define_options(CLI::App& app, CommandLine& line) {
     app.add_flag("--fail-fast", options.fail_fast, "Start no scene after one has failed")
         ->envname("GTEST_FAIL_FAST");
     app.add_option("--report", line.report_folder, "Folder for report.html and junit.xml");
+    app.add_flag("--only-failures", line.only_failures,
+                 "Report only the scenes that fail, and nothing if none does");
     app.add_option("--contact", line.contact_path, "Write the reference's pictures as one PNG");
     // The name is GoogleTest's so that meson can ask for it.
     app.add_option("--gtest_output", line.junit_path, "JUnit file, as xml:PATH")->group("");
@@ -97,10 +100,12 @@ void print_values(const SceneReport& report) {
 }
 
 void write_reports(const CommandLine& line, const std::vector<SceneReport>& reports) {
-    if (!line.report_folder.empty()) {
+    std::vector<SceneReport> told = reports;
+    if (line.only_failures) std::erase_if(told, [](const SceneReport& report) { return report.passed(); });
+    if (!line.report_folder.empty() && !(line.only_failures && told.empty())) {
         fs::create_directories(line.report_folder);
-        report::write_text(line.report_folder + "/report.html", html_report(line.options, reports));
-        report::write_text(line.report_folder + "/junit.xml", junit_report(reports));
+        report::write_text(line.report_folder + "/report.html", html_report(line.options, told));
+        report::write_text(line.report_folder + "/junit.xml", junit_report(told));
     }
     if (!line.junit_path.empty()) {
         const std::string prefix = "xml:";
