@@ -35,12 +35,18 @@ pipeline::RasterState box_of(const Context& ctx) {
     return box;
 }
 
+// As large as what is drawn to.
+std::shared_ptr<AccumulationPlane> plane_of(Context& ctx) {
+    return ctx.surface.draw->accumulation(*ctx.renderer.target());
+}
+
 // Calls visit(first component of a row's part, components) for each row of the scissor box.
 template <typename Visit>
 void for_each_row(Context& ctx, Visit visit) {
     const pipeline::RasterState box = box_of(ctx);
-    AccumulationPlane& plane = ctx.surface.draw->accumulation();
-    for (int row = box.y0; row < box.y1; ++row) visit(plane.pixel(box.x0, row), 4 * (box.x1 - box.x0));
+    const auto plane = plane_of(ctx);
+    const std::lock_guard lock(plane->mutex());
+    for (int row = box.y0; row < box.y1; ++row) visit(plane->pixel(box.x0, row), 4 * (box.x1 - box.x0));
 }
 
 void add(Context& ctx, float value) {
@@ -68,29 +74,40 @@ Shares shares_of(float scale) {
 
 // Adds colours, or puts them in place of what is there.
 void accumulate(Context& ctx, float value, bool replaces) {
-    const pipeline::RasterState box = box_of(ctx);
-    if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
-    AccumulationPlane& plane = ctx.surface.draw->accumulation();
     const ReadSource source(ctx);
+    raster::Target& target = source.target();
+    pipeline::RasterState box = box_of(ctx);
+    // A front buffer may have another size by now than what is drawn to.
+    box.x1 = std::min(box.x1, target.width());
+    box.y1 = std::min(box.y1, target.height());
+    if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
+    const auto plane = plane_of(ctx);
+    const std::lock_guard lock(plane->mutex());
     const int count = 4 * (box.x1 - box.x0);
     const float scale = value * kOne;
     const auto store = [&](std::int16_t* to, auto share) {
         for (int i = 0; i < count; ++i) to[i] = replaces ? share(i) : sum(to[i], share(i));
     };
-    if (source.target().format().color == raster::ColorFormat::kRgba8) {
+    if (source.format().color == raster::ColorFormat::kRgba8) {
         const Shares shares = shares_of(scale);
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count));
         for (int row = box.y0; row < box.y1; ++row) {
-            pipeline::read_color_rgba8(source.target(), box.x0, row, count / 4, bytes.data());
-            store(plane.pixel(box.x0, row),
+            {
+                const raster::TargetUse use(target, source.plane());
+                pipeline::read_color_rgba8(target, box.x0, row, count / 4, bytes.data());
+            }
+            store(plane->pixel(box.x0, row),
                   [&](int i) { return shares[bytes[static_cast<std::size_t>(i)]]; });
         }
         return;
     }
     std::vector<float> colors(static_cast<std::size_t>(count));
     for (int row = box.y0; row < box.y1; ++row) {
-        pipeline::read_color_float(source.target(), box.x0, row, count / 4, colors.data());
-        store(plane.pixel(box.x0, row),
+        {
+            const raster::TargetUse use(target, source.plane());
+            pipeline::read_color_float(target, box.x0, row, count / 4, colors.data());
+        }
+        store(plane->pixel(box.x0, row),
               [&](int i) { return to_fraction(colors[static_cast<std::size_t>(i)] * scale); });
     }
 }
@@ -135,29 +152,31 @@ void return_colors(Context& ctx, float value) {
     const PixelGrid grid = box_grid(box);
     if (grid.empty() || ctx.framebuffer.draw_buffer == GL_NONE) return;
     flush_vertices(ctx);
-    AccumulationPlane& plane = ctx.surface.draw->accumulation();
+    const auto plane = plane_of(ctx);
     const float scale = value / kOne;
     const raster::ColorFormat format = ctx.surface.format.color;
-    const auto draw = [&](raster::PixelImage image, const pipeline::PixelRect& rect) {
-        ctx.renderer.draw(box, return_fragment(ctx, image), rect);
+    const bool bytes_do = format == raster::ColorFormat::kRgba8;
+    const auto read_bytes = [&](int row, int first, int count, uint32_t* colors) {
+        const std::int16_t* const values = plane->pixel(first, row);
+        auto* const bytes = reinterpret_cast<std::uint8_t*>(colors);
+        for (int i = 0; i < 4 * count; ++i)
+            bytes[i] = static_cast<std::uint8_t>(
+                round_to_int(clamp_to_unit(static_cast<float>(values[i]) * scale) * 255.0f));
     };
-    if (format == raster::ColorFormat::kRgba8) {
-        return draw(raster::PixelImage::kRgba8,
-                    make_pixel_rect<ByteColor>(grid, [&](int row, int first, int count, uint32_t* colors) {
-                        const std::int16_t* const values = plane.pixel(first, row);
-                        auto* const bytes = reinterpret_cast<std::uint8_t*>(colors);
-                        for (int i = 0; i < 4 * count; ++i)
-                            bytes[i] = static_cast<std::uint8_t>(
-                                round_to_int(clamp_to_unit(static_cast<float>(values[i]) * scale) * 255.0f));
-                    }));
+    const auto read_floats = [&](int row, int first, int count, FloatColor::Pixel* colors) {
+        const std::int16_t* const values = plane->pixel(first, row);
+        float* const rgba = colors->rgba;
+        for (int i = 0; i < 4 * count; ++i) rgba[i] = static_cast<float>(values[i]) * scale;
+        round_colors(format, rgba, 4 * count);
+    };
+    pipeline::PixelRect rect;
+    {
+        const std::lock_guard lock(plane->mutex());
+        rect = bytes_do ? make_pixel_rect<ByteColor>(grid, read_bytes)
+                        : make_pixel_rect<FloatColor>(grid, read_floats);
     }
-    draw(raster::PixelImage::kRgba32F,
-         make_pixel_rect<FloatColor>(grid, [&](int row, int first, int count, FloatColor::Pixel* colors) {
-             const std::int16_t* const values = plane.pixel(first, row);
-             float* const rgba = colors->rgba;
-             for (int i = 0; i < 4 * count; ++i) rgba[i] = static_cast<float>(values[i]) * scale;
-             round_colors(format, rgba, 4 * count);
-         }));
+    const auto image = bytes_do ? raster::PixelImage::kRgba8 : raster::PixelImage::kRgba32F;
+    ctx.renderer.draw(box, return_fragment(ctx, image), rect);
 }
 
 // GL 1.5 table 2.9, the other way round. What is no number counts as the least, as in to_fraction.
@@ -178,7 +197,7 @@ AccumulationPlane::AccumulationPlane(int width, int height)
                                                 static_cast<std::size_t>(height) * 4)) {}
 
 void allocate_accumulation(Context& ctx) {
-    if (has_accumulation(ctx)) ctx.surface.draw->accumulation();
+    if (has_accumulation(ctx)) plane_of(ctx);
 }
 
 void clear_accumulation(Context& ctx) {

@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 namespace terrazzo::gl {
 
 struct Context;
 
-// Rows in the order of the target's, one after the other; 32767 stands for 1. Zeros at first.
+// Rows in the order of the target's, one after the other; 32767 stands for 1. Zeros at first. Contexts of
+// several threads may share it: whoever reads or writes holds its mutex.
 class AccumulationPlane {
   public:
     // Throws std::bad_alloc.
@@ -18,7 +20,10 @@ class AccumulationPlane {
 
     std::int16_t* pixel(int x, int row) { return m_values.get() + 4 * (std::ptrdiff_t{row} * m_width + x); }
 
+    std::mutex& mutex() { return m_mutex; }
+
   private:
+    std::mutex m_mutex;
     int m_width;
     std::unique_ptr<std::int16_t[]> m_values;
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <optional>
+#include <mutex>
 #include <vector>
 
 #include "gl/context.h"
@@ -184,22 +184,27 @@ class Blit {
     const Axis &m_across, &m_up;
 };
 
-// Whether DrawBuffer chose both colour buffers of the drawable.
-bool draws_both_colors(const Context& ctx) {
-    const GLenum buffer = ctx.framebuffer.draw_buffer;
-    return ctx.surface.draw->is_double_buffered() && (buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT);
-}
+// The planes of two targets, or of one, for the calling thread alone; whoever else wants both may name them
+// in the other order.
+class PairUse {
+  public:
+    PairUse(const raster::Target& from, const raster::Target& to)
+        : m_from(from.mutex(), std::defer_lock), m_to(to.mutex(), std::defer_lock) {
+        &from == &to ? m_to.lock() : std::lock(m_from, m_to);
+    }
 
-// Does something for each colour buffer that DrawBuffer chose, while it is the target's.
+  private:
+    std::unique_lock<std::mutex> m_from, m_to;
+};
+
+// Does something for each colour buffer that is drawn to, while it is in its place.
 template <typename Do>
-void for_each_drawn_color(const Context& ctx, Do draw) {
+void for_each_drawn_color(raster::Target& target, pipeline::DrawnColors colors, Do draw) {
+    target.select_color(pipeline::shown_color(colors));
     draw();
-    if (!draws_both_colors(ctx)) return;
-    Drawable& drawable = *ctx.surface.draw;
-    const ColorBuffer selected = drawable.selected();
-    drawable.select(selected == ColorBuffer::kFront ? ColorBuffer::kBack : ColorBuffer::kFront);
+    if (colors != pipeline::DrawnColors::kBoth) return;
+    target.select_color(raster::ColorPlane::kSecond);
     draw();
-    drawable.select(selected);
 }
 
 }  // namespace
@@ -213,24 +218,24 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
     if (filter == GL_LINEAR && (mask & ~static_cast<GLbitfield>(GL_COLOR_BUFFER_BIT)))
         return record_error(ctx, GL_INVALID_OPERATION, "depth and stencil are not filtered");
     if (!check_framebuffer(ctx) || !check_read_framebuffer(ctx)) return;
-    if (!ctx.surface.draw || !ctx.surface.draw->target() || !has_read_source(ctx))
+    if (!ctx.renderer.target() || !has_read_source(ctx))
         return record_error(ctx, GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer");
     flush_vertices(ctx);
     begin_drawing(ctx);
-    const raster::TargetFormat &from = ctx.surface.read->target()->format(), &to = ctx.surface.format;
+    const std::shared_ptr<raster::Target> target = ctx.renderer.target(), known = read_target(ctx);
+    const raster::TargetFormat &from = known->format(), &to = target->format();
     const bool depth = (mask & GL_DEPTH_BUFFER_BIT) && from.depth_bits != 0 && to.depth_bits != 0;
     const bool stencil = (mask & GL_STENCIL_BUFFER_BIT) && from.stencil_bits != 0 && to.stencil_bits != 0;
     const bool color = (mask & GL_COLOR_BUFFER_BIT) && draws_colors(ctx) &&
-                       ctx.framebuffer.read_buffer != GL_NONE && ctx.surface.read->target()->has_color();
+                       ctx.framebuffer.read_buffer != GL_NONE && has_read_colors(ctx);
     if (depth && from.depth_bits != to.depth_bits)
         return record_error(ctx, GL_INVALID_OPERATION, "the depth buffers are of different formats");
     const bool same_size = std::abs(int64_t{srcX1} - srcX0) == std::abs(int64_t{dstX1} - dstX0) &&
                            std::abs(int64_t{srcY1} - srcY0) == std::abs(int64_t{dstY1} - dstY0);
     if ((from.samples > 1 || to.samples > 1) && !same_size)
         return record_error(ctx, GL_INVALID_OPERATION, "samples are not scaled");
-    const std::shared_ptr<raster::Target> target = ctx.surface.draw->target();
-    std::optional<ReadSource> source(std::in_place, ctx);
-    raster::Target& read = source->target();
+    const ReadSource source(ctx);
+    raster::Target& read = source.target();
     pipeline::RasterState box;
     scissor_box(ctx, box);
     const Axis across(srcX0, srcX1, dstX0, dstX1, read.width(), box.x0, box.x1);
@@ -238,16 +243,18 @@ void blit_framebuffer(Context& ctx, GLint srcX0, GLint srcY0, GLint srcX1, GLint
     const Axis up(srcY0, srcY1, dstY0, dstY1, read.height(), static_cast<int>(rows.first),
                   static_cast<int>(rows.end));
     if (across.first >= across.last || up.first >= up.last) return;
-    // Only one of a drawable's two colour buffers can be had at a time.
+    const pipeline::DrawnColors colors = ctx.renderer.colors();
+    const PairUse use(read, *target);
+    read.select_color(source.plane());
+    // Only one of a target's two colour buffers can be had at a time.
     std::unique_ptr<raster::Target> aside;
     if (color && &read == target.get() &&
-        (draws_both_colors(ctx) || read_color_buffer(ctx) != drawn_color_buffer(ctx)))
+        (colors == pipeline::DrawnColors::kBoth || source.plane() != pipeline::shown_color(colors)))
         aside = copy_of_colors(read);
     const Blit blit(read, aside ? *aside : read, *target, across, up);
     const bool keeps_samples = from.samples > 1 && to.samples > 1;
-    if (aside) source.reset();
     if (color) {
-        for_each_drawn_color(ctx, [&] {
+        for_each_drawn_color(*target, colors, [&] {
             keeps_samples ? blit.samples({true, false, false}) : blit.colors(filter);
         });
     }

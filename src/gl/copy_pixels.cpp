@@ -9,7 +9,6 @@
 #include "gl/pixel_tiles.h"
 #include "gl/pixel_transfer.h"
 #include "gl/read_source.h"
-#include "pipeline/read_row.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -36,8 +35,8 @@ class BufferRows {
     }
 
     void read_depths(int row, int first, int count, uint32_t* depths) const {
-        pipeline::read_depth(m_source.target(), m_x + first, m_source.target().row(m_y + row), count, depths);
-        const int from = m_source.target().format().depth_bits, to = m_ctx.surface.format.depth_bits;
+        m_source.read_depths(m_x + first, m_y + row, count, depths);
+        const int from = m_source.format().depth_bits, to = m_ctx.surface.format.depth_bits;
         if (from == to && !changes_depths(m_ctx.pixels)) return;
         const auto maximum = [](int bits) { return static_cast<double>((uint64_t{1} << bits) - 1); };
         for (int i = 0; i < count; ++i) {
@@ -48,8 +47,7 @@ class BufferRows {
     }
 
     void read_stencils(int row, int first, int count, uint8_t* values) const {
-        pipeline::read_stencil(m_source.target(), m_x + first, m_source.target().row(m_y + row), count,
-                               values);
+        m_source.read_stencils(m_x + first, m_y + row, count, values);
         if (!changes_stencils(m_ctx.pixels)) return;
         for (int i = 0; i < count; ++i) {
             uint32_t index = values[i];
@@ -96,8 +94,8 @@ bool is_there(const Context& ctx, GLenum type) {
                    wants_stencil = type == GL_STENCIL || type == GL_DEPTH_STENCIL;
         return (!wants_depth || format.depth_bits != 0) && (!wants_stencil || format.stencil_bits != 0);
     };
-    return holds(ctx.surface.format) &&
-           (!has_read_source(ctx) || holds(ctx.surface.read->target()->format()));
+    const auto source = read_target(ctx);
+    return holds(ctx.surface.format) && (!source || holds(source->format()));
 }
 
 }  // namespace
@@ -108,7 +106,7 @@ void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
     if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && !both)
         return record_error(ctx, GL_INVALID_ENUM, "there is no such type of buffer");
     if (!check_framebuffer(ctx) || !check_readable_framebuffer(ctx)) return;
-    if (type == GL_COLOR && has_read_source(ctx) && !ctx.surface.read->target()->has_color())
+    if (type == GL_COLOR && has_read_source(ctx) && !has_read_colors(ctx))
         return record_error(ctx, GL_INVALID_OPERATION, "there is no colour buffer");
     if (!is_there(ctx, type)) return record_error(ctx, GL_INVALID_OPERATION, "there is no such buffer");
     if (!ctx.raster_position.valid || !has_read_source(ctx)) return;

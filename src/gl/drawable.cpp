@@ -9,63 +9,93 @@
 namespace terrazzo::gl {
 
 bool Drawable::has_buffers(int width, int height, const raster::TargetFormat& format) const {
+    const Lock lock(m_mutex);
     const raster::Target* const target = m_buffers.target.get();
     return target && target->width() == width && target->height() == height && target->format() == format;
 }
 
-Drawable::Buffers Drawable::make_buffers(int width, int height, const raster::TargetFormat& format) const {
+Drawable::Buffers Drawable::make_buffers(int width, int height, const raster::TargetFormat& format) {
     Buffers made;
     made.target = std::make_shared<raster::Target>(width, height, format);
-    made.selected = is_double_buffered() ? ColorBuffer::kBack : ColorBuffer::kFront;
     return made;
 }
 
+void Drawable::exchange_buffers(Buffers& buffers) noexcept {
+    const Lock lock(m_mutex);
+    std::swap(m_buffers, buffers);
+}
+
 void Drawable::allocate(int width, int height, const raster::TargetFormat& format) {
-    if (!has_buffers(width, height, format)) m_buffers = make_buffers(width, height, format);
+    if (has_buffers(width, height, format)) return;
+    Buffers made = make_buffers(width, height, format);
+    exchange_buffers(made);
 }
 
-void Drawable::select(ColorBuffer buffer) {
-    if (!is_double_buffered() || !m_buffers.target || buffer == m_buffers.selected) return;
-    m_buffers.target->exchange_color();
-    m_buffers.selected = buffer;
-    if (buffer != ColorBuffer::kFront || m_buffers.has_front) return;
-    m_buffers.has_front = true;
-    try {
-        load_front();
-    } catch (...) {
-        m_buffers.has_front = false;
-        m_buffers.selected = ColorBuffer::kBack;
-        m_buffers.target->exchange_color();
-        throw;
+void Drawable::set_target(std::shared_ptr<raster::Target> target) {
+    const Lock lock(m_mutex);
+    m_buffers.target = std::move(target);
+}
+
+std::shared_ptr<raster::Target> Drawable::target() const {
+    const Lock lock(m_mutex);
+    return m_buffers.target;
+}
+
+int Drawable::width() const {
+    const Lock lock(m_mutex);
+    return m_buffers.target ? m_buffers.target->width() : 0;
+}
+
+int Drawable::height() const {
+    const Lock lock(m_mutex);
+    return m_buffers.target ? m_buffers.target->height() : 0;
+}
+
+std::shared_ptr<raster::Target> Drawable::target_with_front() {
+    const Lock lock(m_mutex);
+    if (!is_double_buffered() || !m_buffers.target || m_buffers.has_front) return m_buffers.target;
+    {
+        const std::lock_guard planes(m_buffers.target->mutex());
+        m_buffers.target->make_second_color();
     }
+    load_front();
+    m_buffers.has_front = true;
+    return m_buffers.target;
 }
 
-AccumulationPlane& Drawable::accumulation() {
-    if (!m_buffers.accumulation)
-        m_buffers.accumulation = std::make_unique<AccumulationPlane>(width(), height());
-    return *m_buffers.accumulation;
+bool Drawable::has_front_pixels() const {
+    const Lock lock(m_mutex);
+    return !is_double_buffered() || m_buffers.has_front;
+}
+
+std::shared_ptr<AccumulationPlane> Drawable::accumulation(const raster::Target& target) {
+    const auto make = [&] { return std::make_shared<AccumulationPlane>(target.width(), target.height()); };
+    const Lock lock(m_mutex);
+    if (&target != m_buffers.target.get()) return make();
+    if (!m_buffers.accumulation) m_buffers.accumulation = make();
+    return m_buffers.accumulation;
 }
 
 void Drawable::swap_pixels() {
+    const Lock lock(m_mutex);
     if (!is_double_buffered() || !m_buffers.target || !m_buffers.has_front) return;
-    m_buffers.target->exchange_color();
+    const std::lock_guard planes(m_buffers.target->mutex());
+    m_buffers.target->swap_colors();
 }
 
 void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
                   std::ptrdiff_t stride) {
-    if (!drawable.target()) return;
-    const ColorBuffer selected = drawable.selected();
-    drawable.select(buffer);
-    raster::Target& target = *drawable.target();
-    std::byte* const top_row = bottom_row + (drawable.height() - 1) * stride;
-    for (int bin = 0; bin < target.bin_count(); ++bin)
-        pipeline::resolve_bin(target, bin, layout, top_row, -stride);
-    drawable.select(selected);
+    const auto target = buffer == ColorBuffer::kFront ? drawable.target_with_front() : drawable.target();
+    if (!target) return;
+    std::byte* const top_row = bottom_row + (target->height() - 1) * stride;
+    const raster::TargetUse use(*target, drawable.plane_of(buffer));
+    for (int bin = 0; bin < target->bin_count(); ++bin)
+        pipeline::resolve_bin(*target, bin, layout, top_row, -stride);
 }
 
-void load_picture(Drawable& drawable, pipeline::PixelLayout layout, const std::byte* top_row,
-                  std::ptrdiff_t stride) {
-    raster::Target& target = *drawable.target();
+void load_picture(raster::Target& target, raster::ColorPlane plane, pipeline::PixelLayout layout,
+                  const std::byte* top_row, std::ptrdiff_t stride) {
+    const raster::TargetUse use(target, plane);
     const std::ptrdiff_t bytes = pipeline::bytes_per_pixel(layout);
     for (int i = 0; i < target.bin_count(); ++i) {
         target.materialize(i);

@@ -2,13 +2,17 @@
 // (GL 1.5 §4.2.1).
 //
 // The front end derives from Drawable, owns it and says how its pictures are shown; contexts that draw to it
-// or read from it keep it alive. Depth and stencil are shared by its one or two colour buffers. Not
-// synchronised: contexts of two threads that draw to one drawable at a time get an undefined picture, as GL
-// has it.
+// or read from it keep it alive. Depth and stencil are shared by its one or two colour buffers.
+//
+// Threads: contexts of several may have one drawable. Its mutex guards which buffers it has; their pixels are
+// guarded by the target's (raster/target.h), which is taken after this one. A context goes on drawing to the
+// target it knows until it follows the drawable, and owns it meanwhile; so it must not ask the drawable for
+// the size of what it draws to. In which order two threads' drawing comes is undefined, as GL has it.
 #pragma once
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "gl/accumulation.h"
@@ -43,10 +47,19 @@ class Drawable {
 
     Buffering buffering() const { return m_buffering; }
     bool is_double_buffered() const { return m_buffering == Buffering::kDouble; }
-    int width() const { return m_buffers.target ? m_buffers.target->width() : 0; }
-    int height() const { return m_buffers.target ? m_buffers.target->height() : 0; }
     // Null before the first allocate().
-    const std::shared_ptr<raster::Target>& target() const { return m_buffers.target; }
+    std::shared_ptr<raster::Target> target() const;
+    // The same; the front buffer has pixels of its own from now on, in the first or second colour plane as
+    // plane_of() says. They are made when somebody first asks for them: until then the front buffer is what
+    // the front end shows. Throws std::bad_alloc.
+    std::shared_ptr<raster::Target> target_with_front();
+    raster::ColorPlane plane_of(ColorBuffer buffer) const {
+        return is_double_buffered() && buffer == ColorBuffer::kFront ? raster::ColorPlane::kSecond
+                                                                     : raster::ColorPlane::kFirst;
+    }
+    // Those of target(), 0 before the first allocate().
+    int width() const;
+    int height() const;
 
     // Makes buffers of this size and format, unless they are there already; the pictures of others are lost.
     // Contexts that draw here learn of it by follow_drawables(). Throws std::bad_alloc and changes nothing
@@ -56,28 +69,22 @@ class Drawable {
     // What allocate() makes and puts in place, in parts: for those whose next step may fail.
     struct Buffers {
         std::shared_ptr<raster::Target> target;
-        ColorBuffer selected = ColorBuffer::kFront;
         bool has_front = false;
-        std::unique_ptr<AccumulationPlane> accumulation;
+        std::shared_ptr<AccumulationPlane> accumulation;
     };
     bool has_buffers(int width, int height, const raster::TargetFormat& format) const;
-    Buffers make_buffers(int width, int height, const raster::TargetFormat& format) const;
-    void exchange_buffers(Buffers& buffers) noexcept { std::swap(m_buffers, buffers); }
+    static Buffers make_buffers(int width, int height, const raster::TargetFormat& format);
+    void exchange_buffers(Buffers& buffers) noexcept;
 
-    // Makes a colour buffer the one that target() shows. What was queued for the other has been drawn. Throws
-    // std::bad_alloc.
-    void select(ColorBuffer buffer);
-    ColorBuffer selected() const { return m_buffers.selected; }
-    // Whether the front buffer has pixels of its own. They are made when somebody first asks for them: until
-    // then the front buffer is what the front end shows.
-    bool has_front_pixels() const { return !is_double_buffered() || m_buffers.has_front; }
+    bool has_front_pixels() const;
     // What SwapBuffers does to the pixels: the back buffer's become the front's. The new back buffer's are
     // undefined.
     void swap_pixels();
 
-    // The accumulation buffer, for contexts that have one: it is made when somebody first asks for it, and
-    // anew with other buffers. There is a target. Throws std::bad_alloc.
-    AccumulationPlane& accumulation();
+    // The accumulation buffer that goes with a target, for contexts that have one: it is made when somebody
+    // first asks for it. A target that the drawable no longer has gets one that nobody else sees. Throws
+    // std::bad_alloc.
+    std::shared_ptr<AccumulationPlane> accumulation(const raster::Target& target);
 
     // Takes over the size that the window has now. Called by Viewport when nothing has been drawn since the
     // last picture was shown: programs call it when their window has changed. Throws std::bad_alloc.
@@ -86,13 +93,17 @@ class Drawable {
     virtual void show_front(Context&) {}
 
   protected:
-    void set_target(std::shared_ptr<raster::Target> target) { m_buffers.target = std::move(target); }
-    // Fills the selected buffer with what the front end shows; called when the front buffer's pixels are
-    // made.
+    void set_target(std::shared_ptr<raster::Target> target);
+    // Fills the front buffer with what the front end shows; called under the mutex when its pixels are made.
     virtual void load_front() {}
 
+    using Lock = std::lock_guard<std::recursive_mutex>;
+    // Recursive: a picture that is shown may have to be loaded first.
+    std::recursive_mutex& mutex() const { return m_mutex; }
+
   private:
-    Buffering m_buffering;
+    const Buffering m_buffering;
+    mutable std::recursive_mutex m_mutex;
     Buffers m_buffers;
 };
 
@@ -101,8 +112,8 @@ class Drawable {
 // pixels are asked for that are not there yet.
 void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
                   std::ptrdiff_t stride);
-// Into the selected buffer; layouts kRgba8, kBgra8 and kRgb565.
-void load_picture(Drawable& drawable, pipeline::PixelLayout layout, const std::byte* top_row,
-                  std::ptrdiff_t stride);
+// Layouts kRgba8, kBgra8 and kRgb565.
+void load_picture(raster::Target& target, raster::ColorPlane plane, pipeline::PixelLayout layout,
+                  const std::byte* top_row, std::ptrdiff_t stride);
 
 }  // namespace terrazzo::gl

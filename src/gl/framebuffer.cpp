@@ -46,7 +46,7 @@ GLenum check_buffer(const Context& ctx, GLenum buffer, const Framebuffer* object
     return object && error == GL_NO_ERROR ? GLenum{GL_INVALID_OPERATION} : error;
 }
 
-// Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer is selected
+// Of a double-buffered drawable GL_LEFT names both buffers, GL_NONE neither: the back buffer stands for it
 // then.
 bool names_front(GLenum buffer) {
     return buffer == GL_FRONT || buffer == GL_FRONT_LEFT;
@@ -78,10 +78,6 @@ ColorBits color_bits(const raster::TargetFormat& format) {
 
 ColorBuffer color_buffer_of(GLenum buffer) {
     return names_front(buffer) ? ColorBuffer::kFront : ColorBuffer::kBack;
-}
-
-ColorBuffer drawn_color_buffer(const Context& ctx) {
-    return color_buffer_of(ctx.framebuffer.draw_buffer);
 }
 
 ColorBuffer read_color_buffer(const Context& ctx) {
@@ -144,11 +140,11 @@ void draw_buffer(Context& ctx, GLenum buf) {
     select_draw_buffer(ctx, buf);
 }
 
-void use_draw_buffer(Context& ctx, Drawable& drawable, GLenum buffer) {
-    const bool both = drawable.is_double_buffered() && (buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT);
-    if (both) drawable.select(ColorBuffer::kFront);  // whose pixels are there from then on
-    drawable.select(color_buffer_of(buffer));
-    ctx.renderer.draw_to_both_colors(both);
+DrawTarget draw_target(Drawable& drawable, GLenum buffer) {
+    using pipeline::DrawnColors;
+    const bool both = buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
+    if (!drawable.is_double_buffered() || (!both && !names_front(buffer))) return {drawable.target()};
+    return {drawable.target_with_front(), both ? DrawnColors::kBoth : DrawnColors::kSecond};
 }
 
 void select_draw_buffer(Context& ctx, GLenum buffer) {
@@ -157,7 +153,7 @@ void select_draw_buffer(Context& ctx, GLenum buffer) {
     // then.
     present(ctx);
     finish_drawing(ctx);
-    if (ctx.surface.draw) use_draw_buffer(ctx, *ctx.surface.draw, buffer);
+    use_draw_drawable(ctx, ctx.surface.draw, buffer);
     change(ctx, Dirty::kFragment, ctx.framebuffer.draw_buffer, buffer);
 }
 

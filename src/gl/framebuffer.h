@@ -7,6 +7,7 @@
 #include <array>
 
 #include "gl/drawable.h"
+#include "pipeline/frame.h"
 
 namespace terrazzo::gl {
 
@@ -50,14 +51,17 @@ struct ColorBits {
 };
 ColorBits color_bits(const raster::TargetFormat& format);
 
-// The colour buffer that an argument of glDrawBuffer or glReadBuffer stands for, and those that they chose.
+// The colour buffer that an argument of glDrawBuffer or glReadBuffer stands for, and the one to read from.
 ColorBuffer color_buffer_of(GLenum buffer);
-ColorBuffer drawn_color_buffer(const Context& ctx);
 ColorBuffer read_color_buffer(const Context& ctx);
 
-// Makes the drawable's buffers those that `buffer`, an argument of glDrawBuffer, stands for. What is queued
-// must have been drawn, but for another drawable. Throws std::bad_alloc.
-void use_draw_buffer(Context& ctx, Drawable& drawable, GLenum buffer);
+// What `buffer`, an argument of glDrawBuffer, stands for: colour planes of a target, which has them; null
+// where the drawable has none yet. Throws std::bad_alloc.
+struct DrawTarget {
+    std::shared_ptr<raster::Target> target;
+    pipeline::DrawnColors colors = pipeline::DrawnColors::kFirst;
+};
+DrawTarget draw_target(Drawable& drawable, GLenum buffer);
 
 // glDrawBuffer with a checked argument. Throws std::bad_alloc and changes nothing then.
 void select_draw_buffer(Context& ctx, GLenum buffer);

@@ -152,10 +152,8 @@ std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point) {
     const raster::TargetFormat format = plane_format(*level.format, point);
     if (!a.planes || a.planes->width() != level.width || a.planes->height() != level.height ||
         a.planes->format() != format) {
-        a.planes =
-            point == kColorAttachment
-                ? std::make_shared<Target>(level.width, level.height, format)
-                : std::make_shared<Target>(Target::depth_and_stencil(level.width, level.height, format));
+        a.planes = point == kColorAttachment ? std::make_shared<Target>(level.width, level.height, format)
+                                             : Target::depth_and_stencil(level.width, level.height, format);
         a.planes->settle();
         a.content = 0;
     }
@@ -254,8 +252,10 @@ void take_over_buffers(Context& ctx) {
 }
 
 bool draws_colors(const Context& ctx) {
-    const Target* const target = ctx.renderer.target().get();
-    return ctx.framebuffer.draw_buffer != GL_NONE && (!target || target->has_color());
+    if (ctx.framebuffer.draw_buffer == GL_NONE) return false;
+    // Windows, which other threads may have as well, have colours.
+    const Target* const target = ctx.framebuffers.draw ? ctx.renderer.target().get() : nullptr;
+    return !target || target->has_color();
 }
 
 bool check_framebuffer(Context& ctx) {

@@ -168,7 +168,7 @@ void query_window(Context& ctx, const Drawable* drawable, GLenum attachment, GLe
     const WindowBuffer buffer = find_window_buffer(drawable, attachment);
     if (!buffer.known) return record_error(ctx, GL_INVALID_ENUM, "no buffer of the window system's");
     if (!buffer.there) return query_missing(ctx, pname, params);
-    const raster::TargetFormat& format = drawable->target()->format();
+    const raster::TargetFormat format = drawable->target()->format();
     if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) {
         *params = GL_FRAMEBUFFER_DEFAULT;
     } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME) {

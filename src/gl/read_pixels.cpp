@@ -12,7 +12,6 @@
 #include "gl/pixel_transfer.h"
 #include "gl/read_source.h"
 #include "gl/texel_row.h"
-#include "pipeline/read_row.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -36,16 +35,8 @@ class PixelReader {
         const auto columns = static_cast<size_t>(rect.skipped_columns);
         auto* row = static_cast<uint8_t*>(pixels) + layout.offset +
                     static_cast<size_t>(rect.skipped_rows) * layout.row_stride + columns * pixel_size;
-        if (is_verbatim()) {
-            raster::Target& target = m_source.target();
-            const auto stride = static_cast<std::ptrdiff_t>(layout.row_stride);
-            if (target.format().rows == raster::RowOrder::kBottomFirst)
-                return pipeline::read_rgba8_rect(target, {rect.x, rect.y, rect.width, rect.height}, row,
-                                                 stride);
-            const int top = target.row(rect.y + rect.height - 1);
-            return pipeline::read_rgba8_rect(target, {rect.x, top, rect.width, rect.height},
-                                             row + (rect.height - 1) * stride, -stride);
-        }
+        if (is_verbatim())
+            return m_source.read_verbatim(rect, row, static_cast<std::ptrdiff_t>(layout.row_stride));
         for (int i = 0; i < rect.height; ++i, row += layout.row_stride) {
             for (int j = 0; j < rect.width; j += kPixelChunk) {
                 read_run({rect.x + j, rect.y + i, std::min(kPixelChunk, rect.width - j),
@@ -70,7 +61,7 @@ class PixelReader {
     }
 
     bool is_verbatim() const {
-        const raster::TargetFormat& format = m_source.target().format();
+        const raster::TargetFormat& format = m_source.format();
         return m_format == GL_RGBA && m_type == GL_UNSIGNED_BYTE && m_source.has_bytes(m_state) &&
                format.color == raster::ColorFormat::kRgba8 && format.has_alpha;
     }
@@ -91,15 +82,14 @@ class PixelReader {
 
     // Components below 8 bits are read as bytes by types that have no more.
     bool goes_through_bytes() const {
-        return m_source.target().format().color == raster::ColorFormat::kRgba8 ||
-               has_8_bit_components(m_type);
+        return m_source.format().color == raster::ColorFormat::kRgba8 || has_8_bit_components(m_type);
     }
 
     // L is R + G + B.
     void read_luminances(const Run& run) const {
         float rgba[4 * kPixelChunk];
         m_source.read(run.x, run.y, run.count, m_state, rgba);
-        const bool clamps = m_source.target().format().color != raster::ColorFormat::kRgba32F;
+        const bool clamps = m_source.format().color != raster::ColorFormat::kRgba32F;
         for (int i = 0; i < run.count; ++i) {
             const float sum = rgba[4 * i] + rgba[4 * i + 1] + rgba[4 * i + 2];
             rgba[4 * i] = clamps ? std::min(sum, 1.0f) : sum;
@@ -109,8 +99,8 @@ class PixelReader {
 
     void read_depths(const Run& run) const {
         uint32_t integers[kPixelChunk];
-        pipeline::read_depth(m_source.target(), run.x, m_source.target().row(run.y), run.count, integers);
-        const int bits = m_source.target().format().depth_bits;
+        m_source.read_depths(run.x, run.y, run.count, integers);
+        const int bits = m_source.format().depth_bits;
         const bool swap_bytes = m_state.pack.swap_bytes;
         if (m_type == GL_UNSIGNED_INT && !swap_bytes && !changes_depths(m_state)) {
             // The reference's way without floats: integers widened by repeating their bits.
@@ -127,15 +117,15 @@ class PixelReader {
 
     void read_indices(const Run& run, uint32_t* indices) const {
         uint8_t bytes[kPixelChunk];
-        pipeline::read_stencil(m_source.target(), run.x, m_source.target().row(run.y), run.count, bytes);
+        m_source.read_stencils(run.x, run.y, run.count, bytes);
         std::copy_n(bytes, run.count, indices);
         if (changes_stencils(m_state)) transfer_stencils(m_state, indices, run.count);
     }
 
     void read_depths_and_stencils(const Run& run) const {
         uint32_t depths[kPixelChunk], indices[kPixelChunk];
-        pipeline::read_depth(m_source.target(), run.x, m_source.target().row(run.y), run.count, depths);
-        const auto bits = static_cast<unsigned>(m_source.target().format().depth_bits);
+        m_source.read_depths(run.x, run.y, run.count, depths);
+        const auto bits = static_cast<unsigned>(m_source.format().depth_bits);
         if (bits != 24)
             for (int i = 0; i < run.count; ++i) depths[i] = resize_depth(depths[i], bits, 24);
         transfer_packed_depths(m_state, depths, run.count, 24);
@@ -156,10 +146,11 @@ class PixelReader {
 };
 
 Rule check_buffers(const Context& ctx, GLenum format) {
-    if (!has_read_source(ctx)) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
-    const raster::TargetFormat& source = ctx.surface.read->target()->format();
+    const auto target = read_target(ctx);
+    if (!target) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
+    const raster::TargetFormat& source = target->format();
     if (format == GL_COLOR_INDEX) return {GL_INVALID_OPERATION, "the frame buffer holds no colour indices"};
-    if (is_color_format(format) && !ctx.surface.read->target()->has_color()) {
+    if (is_color_format(format) && !has_read_colors(ctx)) {
         return {GL_INVALID_OPERATION, "there is no colour buffer"};
     }
     const bool both = format == GL_DEPTH_STENCIL;

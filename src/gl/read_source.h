@@ -3,7 +3,9 @@
 
 #include <GL/gl.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "gl/drawable.h"
 #include "raster/target.h"
@@ -20,17 +22,23 @@ struct ReadRect {
     GLsizei skipped_columns, skipped_rows;
 };
 
-// Whether there is a buffer to read from; a context may be current without.
-bool has_read_source(const Context& ctx);
+// What there is to read from: null where there is none, as a context may be current without. The one to draw
+// to, if it is the same drawable's; else what the drawable has at the moment.
+std::shared_ptr<raster::Target> read_target(const Context& ctx);
+inline bool has_read_source(const Context& ctx) {
+    return read_target(ctx) != nullptr;
+}
 
-// The buffer that ReadBuffer chose when everything is drawn.
+// Of what there is to read from: whether it has colours. Windows have; objects, which are their context's
+// own, may have none.
+bool has_read_colors(const Context& ctx);
+
+// The buffer that ReadBuffer chose when everything is drawn. It is held while pixels are read and not in
+// between: other threads may draw to it then, and whoever reads may draw to other buffers.
 class ReadSource {
   public:
     // Draws what is queued; there must be a buffer to read from. Throws std::bad_alloc.
     explicit ReadSource(Context& ctx);
-    ~ReadSource();
-    ReadSource(const ReadSource&) = delete;
-    ReadSource& operator=(const ReadSource&) = delete;
 
     ReadRect clip(GLint x, GLint y, GLsizei width, GLsizei height) const;
 
@@ -42,12 +50,20 @@ class ReadSource {
     void read(int x, int y, int count, uint8_t* rgba) const;
     void read(int x, int y, int count, const PixelState& pixels, float* rgba) const;
 
-    raster::Target& target() const { return m_target; }
+    // Colours as they are, of a target of kRgba8 with alpha: (x, y) and the rows above it, each `stride`
+    // bytes behind the one before.
+    void read_verbatim(const ReadRect& rect, uint8_t* rgba, std::ptrdiff_t stride) const;
+    // Depth as an integer of the target's depth_bits.
+    void read_depths(int x, int y, int count, uint32_t* depths) const;
+    void read_stencils(int x, int y, int count, uint8_t* stencils) const;
+
+    raster::Target& target() const { return *m_target; }
+    const raster::TargetFormat& format() const { return m_target->format(); }
+    raster::ColorPlane plane() const { return m_plane; }
 
   private:
-    Drawable& m_drawable;
-    ColorBuffer m_selected;  // before
-    raster::Target& m_target;
+    std::shared_ptr<raster::Target> m_target;
+    raster::ColorPlane m_plane;
 };
 
 }  // namespace terrazzo::gl

@@ -168,9 +168,8 @@ void renderbuffer_storage_multisample(Context& ctx, GLenum target, GLsizei sampl
     if (!renderbuffer) return record_error(ctx, GL_INVALID_OPERATION, "no renderbuffer is bound");
     std::shared_ptr<raster::Target> planes;
     if (width > 0 && height > 0) {
-        planes = std::make_shared<raster::Target>(
-            chosen.has_color ? raster::Target(width, height, chosen.format)
-                             : raster::Target::depth_and_stencil(width, height, chosen.format));
+        planes = chosen.has_color ? std::make_shared<raster::Target>(width, height, chosen.format)
+                                  : raster::Target::depth_and_stencil(width, height, chosen.format);
         planes->start_over();
     }
     settle_framebuffers(ctx);

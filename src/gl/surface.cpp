@@ -13,11 +13,16 @@ namespace {
 
 // Everything that needs memory comes first.
 void use_target(Context& ctx, Drawable* drawable, GLenum draw_buffer) {
-    if (drawable && drawable->target()) use_draw_buffer(ctx, *drawable, draw_buffer);
-    const auto target = drawable ? drawable->target() : nullptr;
-    if (target == ctx.renderer.target()) return;
+    const auto [target, colors] = drawable ? draw_target(*drawable, draw_buffer) : DrawTarget{};
+    if (target == ctx.renderer.target()) {
+        if (colors != ctx.renderer.colors()) {
+            flush_vertices(ctx);
+            ctx.renderer.set_target(target, colors);
+        }
+        return;
+    }
     begin_change(ctx, Dirty::kAll);
-    ctx.renderer.set_target(target);
+    ctx.renderer.set_target(target, colors);
     Surface& surface = ctx.surface;
     surface.drawn = false;
     surface.width = target ? target->width() : 0;
@@ -33,10 +38,10 @@ void use_target(Context& ctx, Drawable* drawable, GLenum draw_buffer) {
     viewport.height = scissor.height = target->height();
 }
 
-// Whether what is drawn while `draw_buffer` is chosen, and has been selected, goes to the front buffer.
+// Whether what is drawn while `draw_buffer` is chosen goes to the front buffer.
 bool draws_to_front(const Drawable& drawable, GLenum draw_buffer) {
-    return draw_buffer == GL_FRONT_AND_BACK || draw_buffer == GL_LEFT ||
-           drawable.selected() == ColorBuffer::kFront;
+    return !drawable.is_double_buffered() || draw_buffer == GL_FRONT_AND_BACK || draw_buffer == GL_LEFT ||
+           color_buffer_of(draw_buffer) == ColorBuffer::kFront;
 }
 
 }  // namespace
@@ -107,18 +112,16 @@ void picture_was_shown(Context& ctx, const Drawable& window) {
 
 void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout,
                   std::byte* bottom_row, std::ptrdiff_t stride) {
-    if (!drawable.target() || ctx.renderer.target() != drawable.target())
+    if (ctx.surface.draw.get() == &drawable) flush_vertices(ctx);
+    const auto target = drawable.target();
+    if (!target || ctx.renderer.target() != target)
         return copy_picture(drawable, buffer, layout, bottom_row, stride);
-    flush_vertices(ctx);
-    // Windows have their top row first.
-    std::byte* const top_row = bottom_row + (drawable.height() - 1) * stride;
-    const ColorBuffer selected = drawable.selected();
-    if (drawable.is_double_buffered() && buffer != selected) {
+    if (drawable.plane_of(buffer) != pipeline::shown_color(ctx.renderer.colors())) {
         ctx.renderer.finish();
-        drawable.select(buffer);
+        return copy_picture(drawable, buffer, layout, bottom_row, stride);
     }
-    ctx.renderer.finish(layout, top_row, -stride);
-    drawable.select(selected);
+    // Windows have their top row first.
+    ctx.renderer.finish(layout, bottom_row + (target->height() - 1) * stride, -stride);
 }
 
 // Back buffers are drawn when they are swapped or read: nobody can see them before.

@@ -15,7 +15,6 @@
 #include "gl/read_source.h"
 #include "gl/texel_row.h"
 #include "gl/texture_spec.h"
-#include "pipeline/read_row.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -23,13 +22,13 @@ namespace {
 // Copies the depths from window position (x, y) on, in the image's number of bits.
 void copy_depths(const PixelState& state, const ReadSource& source, const ReadRect& read, GLint left,
                  GLint bottom, const TexelFormat& format, pipeline::TextureImage& image) {
-    const unsigned from = source.target().format().depth_bits, to = format.bits[0];
+    const unsigned from = source.format().depth_bits, to = format.bits[0];
     const double scale = 1.0 / static_cast<double>((uint64_t{1} << from) - 1);
     for (int i = 0; i < read.height; ++i) {
         for (int j = 0; j < read.width; j += kPixelChunk) {
             const int count = std::min(kPixelChunk, read.width - j);
             uint32_t* const depths = image.depths(left + j, bottom + i);
-            pipeline::read_depth(source.target(), read.x + j, source.target().row(read.y + i), count, depths);
+            source.read_depths(read.x + j, read.y + i, count, depths);
             if (!changes_depths(state)) {
                 for (int k = 0; k < count; ++k) depths[k] = resize_depth(depths[k], from, to);
                 continue;
@@ -49,8 +48,7 @@ void copy_stencils(const PixelState& state, const ReadSource& source, const Read
         for (int j = 0; j < read.width; j += kPixelChunk) {
             const int count = std::min(kPixelChunk, read.width - j);
             uint8_t* const stencils = image.stencils(left + j, bottom + i);
-            pipeline::read_stencil(source.target(), read.x + j, source.target().row(read.y + i), count,
-                                   stencils);
+            source.read_stencils(read.x + j, read.y + i, count, stencils);
             if (!changes_stencils(state)) continue;
             uint32_t indices[kPixelChunk];
             std::copy_n(stencils, count, indices);
@@ -91,12 +89,13 @@ void copy_pixels(const PixelState& state, const ReadSource& source, GLint x, GLi
 }
 
 Rule check_source(const Context& ctx, const TexelFormat& format, GLint internal_format) {
-    if (!has_read_source(ctx)) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
-    if (format.base == GL_DEPTH_COMPONENT && ctx.surface.read->target()->format().depth_bits == 0)
+    const auto source = read_target(ctx);
+    if (!source) return {GL_INVALID_FRAMEBUFFER_OPERATION, "there is no buffer to read from"};
+    if (format.base == GL_DEPTH_COMPONENT && source->format().depth_bits == 0)
         return {GL_INVALID_OPERATION, "there is no depth buffer"};
-    if (has_stencil(internal_format) && ctx.surface.read->target()->format().stencil_bits == 0)
+    if (has_stencil(internal_format) && source->format().stencil_bits == 0)
         return {GL_INVALID_OPERATION, "there is no stencil buffer"};
-    if (format.base != GL_DEPTH_COMPONENT && !ctx.surface.read->target()->has_color())
+    if (format.base != GL_DEPTH_COMPONENT && !has_read_colors(ctx))
         return {GL_INVALID_OPERATION, "there is no colour buffer"};
     return {};
 }

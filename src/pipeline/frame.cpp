@@ -81,13 +81,19 @@ void Arena::rewind(const Mark& mark) {
     m_left = mark.left;
 }
 
-void Frame::begin(std::shared_ptr<raster::Target> target) {
+void Frame::begin(std::shared_ptr<raster::Target> target, DrawnColors colors) {
+    if (target == m_target) {
+        draw();
+        m_colors = colors;
+        return;
+    }
     const size_t count = target ? static_cast<size_t>(target->bin_count()) : 0;
     std::vector<BinList> bins(count);
     std::vector<int> touched;
     touched.reserve(count);
     draw();
     m_target = std::move(target);
+    m_colors = colors;
     m_bins = std::move(bins);
     m_touched = std::move(touched);
 }
@@ -217,15 +223,15 @@ void Frame::draw_bins() {
     }
 }
 
-// A fragment passes the tests or not whatever buffer its colour goes to: the first time is for the other
+// A fragment passes the tests or not whatever buffer its colour goes to: the first time is for the second
 // buffer, then depth and stencil go back to where they were. Samples count once. Rare enough to be slow.
-void Frame::draw_other_color() {
+void Frame::draw_second_color() {
     const raster::Target::Depths before = m_target->save_depths();
     std::vector<std::pair<uint64_t*, uint64_t>> counters;
     for (uint64_t* const counter : m_sample_counters) counters.emplace_back(counter, *counter);
-    m_target->exchange_color();
+    m_target->select_color(raster::ColorPlane::kSecond);
     draw_bins();
-    m_target->exchange_color();
+    m_target->select_color(raster::ColorPlane::kFirst);
     for (const auto& [counter, count] : counters) *counter = count;
     m_samples_passed = 0;
     m_target->restore_depths(before);
@@ -233,18 +239,24 @@ void Frame::draw_other_color() {
 
 void Frame::draw() {
     const StageTimer timer(statistics.pixel_nanoseconds);
-    if (m_commands != 0 && m_both) draw_other_color();
-    if (m_commands != 0) draw_bins();
+    if (m_commands != 0) {
+        const raster::TargetUse use(*m_target, shown_color(m_colors));
+        if (m_colors == DrawnColors::kBoth) draw_second_color();
+        draw_bins();
+    }
     reset();
 }
 
 void Frame::draw(const std::function<void(int)>& finished) {
     const StageTimer timer(statistics.pixel_nanoseconds);
-    if (m_commands != 0 && m_both) draw_other_color();
-    run_parallel(static_cast<int>(m_bins.size()), [&](int bin) {
-        draw_bin(bin);
-        finished(bin);
-    });
+    {
+        const raster::TargetUse use(*m_target, shown_color(m_colors));
+        if (m_commands != 0 && m_colors == DrawnColors::kBoth) draw_second_color();
+        run_parallel(static_cast<int>(m_bins.size()), [&](int bin) {
+            draw_bin(bin);
+            finished(bin);
+        });
+    }
     reset();
 }
 

@@ -3,7 +3,7 @@
 //
 // Set-up primitives, fragment states and bin lists live in the frame's arena; images that they refer to are
 // kept alive by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in
-// the order of its list.
+// the order of its list. Frames of several threads may have one target: they are drawn one after the other.
 #pragma once
 
 #include <atomic>
@@ -60,15 +60,25 @@ class Arena {
     size_t m_left = 0;
 };
 
+// The colour buffers of the target that a frame draws to. Of both the depth test sees one history.
+enum class DrawnColors : uint8_t { kFirst, kSecond, kBoth };
+
+// The one that a frame leaves in its place.
+constexpr raster::ColorPlane shown_color(DrawnColors colors) {
+    return colors == DrawnColors::kSecond ? raster::ColorPlane::kSecond : raster::ColorPlane::kFirst;
+}
+
 class Frame {
   public:
     // What a frame may hold before it has to be drawn: primitives and states, and as much again in images
     // that their textures have given up. All together stays far below 256 MB.
     static constexpr size_t kMaxBytes = 64u << 20;
 
-    // Draws what is queued, then begins anew on `target`. Throws std::bad_alloc and changes nothing then.
-    void begin(std::shared_ptr<raster::Target> target);
+    // Draws what is queued, then begins anew on these colour buffers of `target`, which has them. Throws
+    // std::bad_alloc and changes nothing then.
+    void begin(std::shared_ptr<raster::Target> target, DrawnColors colors);
     const std::shared_ptr<raster::Target>& target() const { return m_target; }
+    DrawnColors colors() const { return m_colors; }
 
     bool empty() const { return m_commands == 0; }
     bool full() const {
@@ -113,17 +123,13 @@ class Frame {
     // A clear of a rectangle of pixels through masks. Throws std::bad_alloc and changes nothing then.
     void add(const raster::BinClear& clear);
 
-    // Everything drawn from now on goes to both colour buffers of the target, of which the depth test sees
-    // one history. What was queued before must have been drawn.
-    void draw_to_both_colors(bool both) { m_both = both; }
-    bool draws_to_both_colors() const { return m_both; }
-
-    // Draws everything queued, on all threads, and forgets it. Needs no memory, but for drawing to both
-    // colour buffers: throws std::bad_alloc then, before anything is drawn.
+    // Draws everything queued, on all threads, and forgets it; other frames that draw to the target wait.
+    // Needs no memory, but for drawing to both colour buffers: throws std::bad_alloc then, before anything
+    // is drawn.
     void draw();
     // The same, and hands each bin of the target over to `finished` as soon as its pixels are done, while
-    // they are still in the cache of the thread that drew them. `finished` may run on several threads at a
-    // time and must not throw.
+    // they are still in the cache of the thread that drew them: those of the colour buffer drawn to, the
+    // first of both. `finished` may run on several threads at a time and must not throw.
     void draw(const std::function<void(int bin)>& finished);
 
   private:
@@ -143,7 +149,7 @@ class Frame {
     void push(int bin, uintptr_t command);
     void draw_bin(int index) const;
     void draw_bins();
-    void draw_other_color();
+    void draw_second_color();
     void reset();
 
     std::shared_ptr<raster::Target> m_target;
@@ -155,7 +161,7 @@ class Frame {
     size_t m_commands = 0;
     size_t m_primitives = 0;
     uint64_t m_frame = 0;  // how many were drawn before
-    bool m_both = false;
+    DrawnColors m_colors = DrawnColors::kFirst;
     std::vector<uint64_t*> m_sample_counters;  // of queued occlusion queries
     mutable std::atomic<uint64_t> m_samples_passed =
         0;  // of all primitives that count samples, in drawn bins

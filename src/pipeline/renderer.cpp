@@ -37,14 +37,8 @@ void Renderer::queue(Add add) {
     }
 }
 
-void Renderer::set_target(std::shared_ptr<raster::Target> target) {
-    if (target != m_frame.target()) m_frame.begin(std::move(target));
-}
-
-void Renderer::draw_to_both_colors(bool both) {
-    if (both == m_frame.draws_to_both_colors()) return;
-    m_frame.draw();
-    m_frame.draw_to_both_colors(both);
+void Renderer::set_target(std::shared_ptr<raster::Target> target, DrawnColors colors) {
+    if (target != m_frame.target() || colors != m_frame.colors()) m_frame.begin(std::move(target), colors);
 }
 
 void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode,

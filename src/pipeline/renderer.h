@@ -79,14 +79,11 @@ struct PixelRect {
 
 class Renderer {
   public:
-    // Draws from now on go to `target`; queued ones are finished first. Null releases it. Throws
-    // std::bad_alloc and changes nothing then.
-    void set_target(std::shared_ptr<raster::Target> target);
+    // Draws from now on go to these colour buffers of `target`, which has them; queued ones are finished
+    // first. Null releases it. Throws std::bad_alloc and changes nothing then.
+    void set_target(std::shared_ptr<raster::Target> target, DrawnColors colors);
     const std::shared_ptr<raster::Target>& target() const { return m_frame.target(); }
-
-    // Whether draws and clears from now on go to both colour buffers of the target; queued ones are finished
-    // first.
-    void draw_to_both_colors(bool both);
+    DrawnColors colors() const { return m_frame.colors(); }
 
     // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws
     // std::bad_alloc, and nothing of the draw is queued then. Draws the frame early whenever it has grown

@@ -80,10 +80,10 @@ Target::Target(int width, int height, TargetFormat format, const SharedPlanes& p
         m_is_part |= shared && (shared->width() > width || shared->height() > height);
 }
 
-Target Target::depth_and_stencil(int width, int height, TargetFormat format) {
-    Target target(width, height, format, nullptr);
-    target.allocate_depth_and_stencil();
-    target.start_over();
+std::shared_ptr<Target> Target::depth_and_stencil(int width, int height, TargetFormat format) {
+    std::shared_ptr<Target> target(new Target(width, height, format, nullptr));
+    target->allocate_depth_and_stencil();
+    target->start_over();
     return target;
 }
 
@@ -164,12 +164,25 @@ void Target::materialize(int index, ClearPlanes wanted) {
     }
 }
 
+void Target::make_second_color() {
+    if (m_other_color) return;
+    Plane<uint8_t> marks = new_alike_marks();
+    m_other_color = new_color();
+    m_other_color_alike = std::move(marks);
+}
+
+void Target::select_color(ColorPlane plane) {
+    if (plane == m_selected) return;
+    exchange_color();
+    m_selected = plane;
+}
+
+void Target::swap_colors() {
+    exchange_color();
+}
+
+// What is still to be cleared is so in the colour buffer that is in its place.
 void Target::exchange_color() {
-    if (!m_other_color) {
-        Plane<uint8_t> marks = new_alike_marks();
-        m_other_color = new_color();
-        m_other_color_alike = std::move(marks);
-    }
     for (int i = 0; i < bin_count(); ++i) materialize(i, {true, false, false});
     std::swap(m_color, m_other_color);
     std::swap(m_color_alike, m_other_color_alike);

@@ -10,8 +10,10 @@
 // Where all samples of a tile's pixels are alike the tile is marked so, and only the first sample's pixels
 // count: most tiles never know more than that. Writing the same to all samples leaves the marks as they are.
 //
-// Not synchronised: at any time a bin belongs to one thread, and the target's owner keeps readers and frames
-// apart.
+// Of a target with two colour buffers one is in its place at a time, where bin() finds it.
+//
+// Threads: size and format never change. Whoever touches the planes of a target that others may have at the
+// same time holds its mutex meanwhile, as TargetUse does; at any time a bin belongs to one thread.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +21,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "raster/state.h"
@@ -98,6 +101,9 @@ constexpr RowRange turn_rows(RowOrder order, int height, int64_t low, int64_t hi
     return order == RowOrder::kTopFirst ? RowRange{height - high, height - low} : RowRange{low, high};
 }
 
+// Which of a target's colour buffers; one that has no second has the first.
+enum class ColorPlane : uint8_t { kFirst, kSecond };
+
 // What is known of a bin besides its pixels.
 struct BinState {
     ClearPlanes pending;  // planes still to be filled with `clear`
@@ -158,7 +164,9 @@ class Target {
     // before the next one, start_over() first of all in that.
     Target(int width, int height, TargetFormat format, const SharedPlanes& planes);
     // Without a colour plane.
-    static Target depth_and_stencil(int width, int height, TargetFormat format);
+    static std::shared_ptr<Target> depth_and_stencil(int width, int height, TargetFormat format);
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
     // Fills what is still to be cleared everywhere.
     void settle();
     // Takes over planes that others have drawn to.
@@ -182,9 +190,14 @@ class Target {
     void materialize(int index) { materialize(index, {true, true, true}); }
     // The same for some planes.
     void materialize(int index, ClearPlanes wanted);
-    // Draws to, or shows, another colour buffer from now on, with the same depth and stencil, and back again
-    // the next time. The first time it is all zero. Throws std::bad_alloc and changes nothing then.
-    void exchange_color();
+    // Held by the thread that uses the planes.
+    std::mutex& mutex() const { return m_mutex; }
+    // Gives the target its second colour buffer, all zero, if it has none yet. Throws std::bad_alloc.
+    void make_second_color();
+    // Draws to, or shows, this colour buffer from now on, with the same depth and stencil. It is there.
+    void select_color(ColorPlane plane);
+    // Each colour buffer gets the other's pixels. There is a second one.
+    void swap_colors();
     // All but the colours, to be drawn over and come back to. Throws std::bad_alloc.
     struct Depths {
         std::vector<uint32_t> depth;
@@ -220,6 +233,7 @@ class Target {
 
     Target(int width, int height, TargetFormat format, std::nullptr_t);
     void allocate_depth_and_stencil();
+    void exchange_color();
     Plane<std::byte> new_color() const;
     Plane<float> new_farthest() const;
     Plane<uint8_t> new_alike_marks() const;
@@ -229,6 +243,8 @@ class Target {
     int m_width, m_height, m_bins_across, m_bins_up;
     TargetFormat m_format;
     bool m_is_part = false;
+    mutable std::mutex m_mutex;
+    ColorPlane m_selected = ColorPlane::kFirst;  // what is in m_color
     // Null where the format has no such plane.
     Plane<std::byte> m_color;
     Plane<std::byte> m_other_color;  // null until it is asked for
@@ -237,6 +253,16 @@ class Target {
     Plane<uint8_t> m_color_alike, m_other_color_alike, m_depth_alike, m_stencil_alike;
     Plane<float> m_farthest;
     std::vector<BinState> m_states;
+};
+
+// The planes of a target, one of its colour buffers in its place, for the calling thread alone while it
+// lives.
+class TargetUse {
+  public:
+    TargetUse(Target& target, ColorPlane color) : m_lock(target.mutex()) { target.select_color(color); }
+
+  private:
+    std::lock_guard<std::mutex> m_lock;
 };
 
 }  // namespace terrazzo::raster

@@ -5,7 +5,6 @@
 #include <GL/glxext.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -223,9 +222,8 @@ class Glx : public WindowSystem {
     GLXContext context(Random& random) const {
         return random.one_in(24) ? reinterpret_cast<GLXContext>(random.bits()) : m_contexts.draw(random);
     }
-    GLXDrawable drawable(const Session& session, Random& random) const {
-        return random.one_in(24) ? random.bits() >> random.below(64)
-                                 : m_drawables[session.options.thread].draw(random);
+    GLXDrawable drawable(Random& random) const {
+        return random.one_in(24) ? random.bits() >> random.below(64) : m_drawables.draw(random);
     }
 
     void create_context(Session& session, Random& random) {
@@ -270,15 +268,14 @@ class Glx : public WindowSystem {
             session, "glXCreateWindow",
             "drawable = XCreateWindow, glXCreateWindow, glXCreatePixmap or glXCreatePbuffer");
         const unsigned kind = random.below(4);
-        if (kind == 3)
-            return m_drawables[session.options.thread].add(glx.CreatePbuffer(m_display, of, size.data()));
+        if (kind == 3) return m_drawables.add(glx.CreatePbuffer(m_display, of, size.data()));
         XVisualInfo* const visual = glx.GetVisualFromFBConfig(m_display, of);
         if (!visual) return;
         const Window root = RootWindow(m_display, visual->screen);
         if (kind == 2) {
             const Pixmap pixmap =
                 XCreatePixmap(m_display, root, width, height, static_cast<unsigned>(visual->depth));
-            m_drawables[session.options.thread].add(glx.CreatePixmap(m_display, of, pixmap, none.data()));
+            m_drawables.add(glx.CreatePixmap(m_display, of, pixmap, none.data()));
         } else {
             XSetWindowAttributes values{};
             values.colormap = XCreateColormap(m_display, root, visual->visual, AllocNone);
@@ -286,17 +283,16 @@ class Glx : public WindowSystem {
                 XCreateWindow(m_display, root, 0, 0, width, height, 0, visual->depth, InputOutput,
                               visual->visual, CWColormap | CWBorderPixel, &values);
             XMapWindow(m_display, window);
-            m_windows[session.options.thread].add(window);
-            m_drawables[session.options.thread].add(
-                kind == 0 ? window : glx.CreateWindow(m_display, of, window, none.data()));
+            m_windows.add(window);
+            m_drawables.add(kind == 0 ? window : glx.CreateWindow(m_display, of, window, none.data()));
         }
         XFree(visual);
     }
 
     void make_current(Session& session, Random& random) {
         const GLXContext wanted = random.one_in(12) ? nullptr : context(random);
-        const GLXDrawable draw = random.one_in(12) ? None : drawable(session, random),
-                          read = random.one_in(4) ? drawable(session, random) : draw;
+        const GLXDrawable draw = random.one_in(12) ? None : drawable(random),
+                          read = random.one_in(4) ? drawable(random) : draw;
         bool done = false;
         {
             const Session::Announced call(
@@ -316,14 +312,13 @@ class Glx : public WindowSystem {
             "glXDestroyContext, glXDestroyWindow, glXDestroyPixmap, glXDestroyPbuffer or XDestroyWindow");
         switch (random.below(6)) {
             case 0:
-                return glx.DestroyWindow(m_display, drawable(session, random));
+                return glx.DestroyWindow(m_display, drawable(random));
             case 1:
-                return glx.DestroyPixmap(m_display, drawable(session, random));
+                return glx.DestroyPixmap(m_display, drawable(random));
             case 2:
-                return glx.DestroyPbuffer(m_display, drawable(session, random));
+                return glx.DestroyPbuffer(m_display, drawable(random));
             case 3:
-                if (const Window window = m_windows[session.options.thread].draw(random))
-                    XDestroyWindow(m_display, window);
+                if (const Window window = m_windows.draw(random)) XDestroyWindow(m_display, window);
                 return;
             default:
                 glx.DestroyContext(m_display, context(random));
@@ -331,7 +326,7 @@ class Glx : public WindowSystem {
     }
 
     void swap(Session& session, Random& random) {
-        const GLXDrawable shown = random.one_in(3) ? drawable(session, random) : glx.GetCurrentDrawable();
+        const GLXDrawable shown = random.one_in(3) ? drawable(random) : glx.GetCurrentDrawable();
         const Session::Announced call(session, "glXSwapBuffers",
                                       "glXSwapBuffers or glXCopySubBufferMESA(display, drawable)");
         if (!random.one_in(4)) return glx.SwapBuffers(m_display, shown);
@@ -352,15 +347,15 @@ class Glx : public WindowSystem {
             "glXQueryDrawable, glXQueryContext, glXGetFBConfigAttrib, glXSelectEvent, glXGetClientString");
         switch (random.below(6)) {
             case 0:
-                return glx.QueryDrawable(m_display, drawable(session, random), attribute, as(0u));
+                return glx.QueryDrawable(m_display, drawable(random), attribute, as(0u));
             case 1:
                 return void(glx.QueryContext(m_display, context(random), attribute, as(0)));
             case 2:
                 return void(glx.GetFBConfigAttrib(m_display, config(random), attribute, as(0)));
             case 3:
-                return glx.SelectEvent(m_display, drawable(session, random), random.bits());
+                return glx.SelectEvent(m_display, drawable(random), random.bits());
             case 4:
-                return glx.GetSelectedEvent(m_display, drawable(session, random), as(0ul));
+                return glx.GetSelectedEvent(m_display, drawable(random), as(0ul));
             default:
                 glx.GetClientString(m_display, attribute);
                 glx.QueryServerString(m_display, 0, attribute);
@@ -388,13 +383,13 @@ class Glx : public WindowSystem {
                                       "glXBindTexImageEXT or glXReleaseTexImageEXT");
         const int buffer = random.one_in(3) ? static_cast<int>(draw_integer(random)) : GLX_FRONT_LEFT_EXT;
         if (random.one_in(2))
-            glx.BindTexImageEXT(m_display, drawable(session, random), buffer, nullptr);
+            glx.BindTexImageEXT(m_display, drawable(random), buffer, nullptr);
         else
-            glx.ReleaseTexImageEXT(m_display, drawable(session, random), buffer);
+            glx.ReleaseTexImageEXT(m_display, drawable(random), buffer);
     }
 
     void change_window(Session& session, Random& random) {
-        const Window window = m_windows[session.options.thread].draw(random);
+        const Window window = m_windows.draw(random);
         if (!window) return;
         const Session::Announced call(session, "XResizeWindow",
                                       "XResizeWindow, XMapWindow or XUnmapWindow(display, window)");
@@ -430,11 +425,11 @@ class Glx : public WindowSystem {
         auto* const value = reinterpret_cast<std::int64_t*>(values.data());
         const Session::Announced call(session, "glXGetSyncValuesOML",
                                       "glXGetSyncValuesOML, glXGetVideoSyncSGI and swap intervals");
-        glx.GetSyncValuesOML(m_display, drawable(session, random), value, value + 1,
+        glx.GetSyncValuesOML(m_display, drawable(random), value, value + 1,
                              random.one_in(16) ? nullptr : value + 2);
         glx.GetVideoSyncSGI(reinterpret_cast<unsigned*>(value));
         // An interval makes swaps wait: none is left behind.
-        glx.SwapIntervalEXT(m_display, drawable(session, random), random.between(-1, 0));
+        glx.SwapIntervalEXT(m_display, drawable(random), random.between(-1, 0));
         glx.SwapIntervalMESA(0);
     }
 
@@ -442,9 +437,8 @@ class Glx : public WindowSystem {
     Display* m_display = nullptr;
     Handles<GLXFBConfig> m_configs;
     Handles<GLXContext> m_contexts;
-    // What two threads draw to at a time is undefined: each has its own.
-    std::array<Handles<GLXDrawable>, 16> m_drawables;
-    std::array<Handles<Window>, 16> m_windows;
+    Handles<GLXDrawable> m_drawables;
+    Handles<Window> m_windows;
     Models<GLXContext> m_models;
 };
 

@@ -41,6 +41,7 @@ class Window : public Drawable {
 
   protected:
     void load_front() override {
+        const raster::TargetUse use(*target(), plane_of(ColorBuffer::kFront));
         for (int i = 0; i < target()->bin_count(); ++i) {
             target()->materialize(i);
             std::byte* const color = target()->bin(i).color;

@@ -2,6 +2,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <array>
 #include <exception>
 #include <optional>
 
@@ -97,7 +98,7 @@ bool compatible(const egl::Context& context, const egl::Surface& surface) {
     return !context.config || context.config->color == surface.config->color;
 }
 
-// The surfaces that it had die, if they do, without the lock.
+// Of the context that is current. The surfaces that it had die, if they do, without the lock.
 void set_surfaces(const std::shared_ptr<egl::Context>& context, std::shared_ptr<egl::Surface> draw,
                   std::shared_ptr<egl::Surface> read, EGLDisplay display) {
     const auto guard = egl::lock();
@@ -108,20 +109,57 @@ void set_surfaces(const std::shared_ptr<egl::Context>& context, std::shared_ptr<
     context->display = display;
 }
 
+// Of a context that the calling thread has let go of. Another may have it by now, with surfaces of its own.
+void forget_surfaces(egl::Context& context) {
+    std::shared_ptr<egl::Surface> draw, read;
+    const auto guard = egl::lock();
+    if (context.is_current) return;
+    context.draw.swap(draw);
+    context.read.swap(read);
+    context.display = EGL_NO_DISPLAY;
+}
+
 void release() {
     const auto context = egl::current_context();
     window::make_current({});
-    if (context) set_surfaces(context, nullptr, nullptr, EGL_NO_DISPLAY);
+    if (context) forget_surfaces(*context);
 }
 
-// Whether another thread's context draws to the surface or reads from it.
-bool is_used_elsewhere(const egl::Surface& surface, const std::shared_ptr<egl::Context>& wanted) {
-    const auto own = egl::current_context();
-    const auto guard = egl::lock();
-    const auto user = surface.user.lock();
-    return user && user != own && user != wanted && user->is_current &&
-           (user->draw.get() == &surface || user->read.get() == &surface);
-}
+// Keeps other threads from surfaces while they are made current in this one, unless some thread has them
+// already.
+class Claim {
+  public:
+    Claim(const std::shared_ptr<egl::Surface>& draw, const std::shared_ptr<egl::Surface>& read,
+          const std::shared_ptr<egl::Context>& wanted)
+        : m_surfaces{draw.get(), read == draw ? nullptr : read.get()} {
+        const auto own = egl::current_context();
+        const auto guard = egl::lock();
+        for (egl::Surface* const surface : m_surfaces) {
+            if (!surface) continue;
+            const auto user = surface->user.lock();
+            const bool is_used = user && user != own && user != wanted && user->is_current &&
+                                 (user->draw.get() == surface || user->read.get() == surface);
+            m_is_refused = m_is_refused || is_used || surface->is_being_made_current;
+        }
+        set(true);
+    }
+    ~Claim() {
+        const auto guard = egl::lock();
+        set(false);
+    }
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
+    bool is_refused() const { return m_is_refused; }
+
+  private:
+    void set(bool claimed) {
+        for (egl::Surface* const surface : m_surfaces)
+            if (surface && !m_is_refused) surface->is_being_made_current = claimed;
+    }
+
+    std::array<egl::Surface*, 2> m_surfaces;
+    bool m_is_refused = false;
+};
 
 // The window or pixmap that the context draws to is known to have gone.
 bool is_drawing_for_nobody(const egl::Context& context) {
@@ -129,8 +167,7 @@ bool is_drawing_for_nobody(const egl::Context& context) {
 }
 
 // What MakeCurrent says of a surface once its window has been asked for its size (EGL 1.5 §3.7.3).
-EGLint unusable(const egl::Surface& surface, const std::shared_ptr<egl::Context>& wanted) {
-    if (is_used_elsewhere(surface, wanted)) return EGL_BAD_ACCESS;
+EGLint unusable(const egl::Surface& surface) {
     surface.buffers->follow_window(gl::Follow::kOncePerPicture);
     if (!surface.server || !surface.server->is_gone()) return EGL_SUCCESS;
     return surface.kind == egl::Kind::kWindow ? EGL_BAD_NATIVE_WINDOW : EGL_BAD_NATIVE_PIXMAP;
@@ -156,7 +193,7 @@ EGLContext eglCreateContext(EGLDisplay handle, EGLConfig config_handle, EGLConte
                             const EGLint* attributes) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_NO_CONTEXT;
-    const egl::Config* const config = display->find(config_handle);
+    const auto config = egl::find_config(*display, config_handle);
     if (config_handle != EGL_NO_CONFIG_KHR && !config) return egl::fail(EGL_BAD_CONFIG);
     const auto partner = find_context(*display, share);
     if (share != EGL_NO_CONTEXT && !partner) return egl::fail(EGL_BAD_CONTEXT);
@@ -172,10 +209,11 @@ EGLContext eglCreateContext(EGLDisplay handle, EGLConfig config_handle, EGLConte
         asked.stencil_bits = config->stencil_bits;
     }
     context->gl = gl::create_context(asked, partner ? partner->gl.get() : nullptr);
-    egl::set_error(EGL_SUCCESS);
     const auto guard = egl::lock();
+    if (!display->is_initialized) return egl::fail(EGL_NOT_INITIALIZED);  // by now
     const EGLContext made = context.get();
     display->contexts.emplace(made, std::move(context));
+    egl::set_error(EGL_SUCCESS);
     return made;
 } catch (const std::exception&) {
     return egl::fail(EGL_BAD_ALLOC);
@@ -185,10 +223,9 @@ EGLContext eglCreateContext(EGLDisplay handle, EGLConfig config_handle, EGLConte
 EGLBoolean eglDestroyContext(EGLDisplay handle, EGLContext context) {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const auto last = find_context(*display, context);
-    if (!last) return egl::fail(EGL_BAD_CONTEXT);
+    const auto last = find_context(*display, context);  // dies without the lock
     const auto guard = egl::lock();
-    display->contexts.erase(context);
+    if (!last || display->contexts.erase(context) == 0) return egl::fail(EGL_BAD_CONTEXT);
     egl::set_error(EGL_SUCCESS);
     return EGL_TRUE;
 }
@@ -212,13 +249,15 @@ EGLBoolean eglMakeCurrent(EGLDisplay handle, EGLSurface draw, EGLSurface read,
         return egl::fail(EGL_BAD_SURFACE);
     if (!to != !from) return egl::fail(EGL_BAD_MATCH);
     if (to && (!compatible(*context, *to) || !compatible(*context, *from))) return egl::fail(EGL_BAD_MATCH);
-    EGLint error = to ? unusable(*to, context) : EGL_SUCCESS;
-    if (error == EGL_SUCCESS && from && from != to) error = unusable(*from, context);
+    const Claim claim(to, from, context);
+    if (claim.is_refused()) return egl::fail(EGL_BAD_ACCESS);
+    EGLint error = to ? unusable(*to) : EGL_SUCCESS;
+    if (error == EGL_SUCCESS && from && from != to) error = unusable(*from);
     if (error != EGL_SUCCESS) return egl::fail(error);
     const auto before = egl::current_context();
     if (!window::make_current({context, to ? to->buffers : nullptr, from ? from->buffers : nullptr}))
         return egl::fail(EGL_BAD_ACCESS);
-    if (before && before != context) set_surfaces(before, nullptr, nullptr, EGL_NO_DISPLAY);
+    if (before && before != context) forget_surfaces(*before);
     set_surfaces(context, to, from, handle);
     egl::set_error(EGL_SUCCESS);
     return EGL_TRUE;
@@ -250,6 +289,11 @@ EGLBoolean eglQueryContext(EGLDisplay handle, EGLContext context_handle, EGLint 
     if (!display) return EGL_FALSE;
     const auto context = find_context(*display, context_handle);
     if (!context) return egl::fail(EGL_BAD_CONTEXT);
+    std::shared_ptr<egl::Surface> draw;
+    {
+        const auto guard = egl::lock();
+        draw = context->draw;
+    }
     EGLint answer = 0;
     switch (attribute) {
         case EGL_CONFIG_ID:
@@ -262,11 +306,10 @@ EGLBoolean eglQueryContext(EGLDisplay handle, EGLContext context_handle, EGLint 
             answer = gl::kGlMajorVersion;
             break;
         case EGL_RENDER_BUFFER:
-            if (!context->draw) {
+            if (!draw) {
                 answer = EGL_NONE;
             } else {
-                const bool single =
-                    context->draw->kind == egl::Kind::kPixmap || !context->draw->wants_back_buffer;
+                const bool single = draw->kind == egl::Kind::kPixmap || !draw->wants_back_buffer;
                 answer = single ? EGL_SINGLE_BUFFER : EGL_BACK_BUFFER;
             }
             break;

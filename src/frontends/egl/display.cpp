@@ -25,26 +25,33 @@ std::vector<std::unique_ptr<Display>>& displays() {
 
 int a_device;
 
-// What the display's surfaces draw to is not touched again.
-void abandon_surfaces(Display& display) {
-    for (const auto& [name, surface] : display.surfaces) {
-        if (surface->server) surface->server->abandon();
-    }
-}
+// What a display had. Dies without the lock; the connection is not touched again then.
+struct Remains {
+    std::shared_ptr<const x11::Connection> connection;
+    std::map<EGLSurface, std::shared_ptr<Surface>> surfaces;
+    std::map<EGLContext, std::shared_ptr<Context>> contexts;
+    std::map<EGLSync, std::shared_ptr<Sync>> syncs;
 
-// Called by XCloseDisplay.
-int close_display(::Display* native, XExtCodes*) {
-    const auto guard = lock();
-    for (const auto& display : displays()) {
-        if (display->name != EGL_PLATFORM_X11_KHR || display->native != native) continue;
-        abandon_surfaces(*display);
-        display->surfaces.clear();
-        display->connection = {};
-        display->is_closed = true;
-        display->is_initialized = false;
-        display->native = nullptr;
+    ~Remains() {
+        if (connection) x11::abandon_drawables(*connection);
     }
-    return 0;
+};
+
+// Called by XCloseDisplay. Contexts stay: they may be current, and wait for eglTerminate.
+int close_display(::Display* native, XExtCodes*) {
+    for (;;) {
+        Remains remains;
+        const auto guard = lock();
+        const auto found = std::ranges::find_if(displays(), [&](const auto& display) {
+            return display->name == EGL_PLATFORM_X11_KHR && display->native == native && !display->is_closed;
+        });
+        if (found == displays().end()) return 0;
+        Display& display = **found;
+        remains.surfaces.swap(display.surfaces);
+        remains.connection.swap(display.connection);
+        display.is_closed = true;
+        display.is_initialized = false;
+    }
 }
 
 }  // namespace
@@ -74,9 +81,20 @@ EGLDeviceEXT software_device() {
     return &a_device;
 }
 
-const Config* Display::find(EGLConfig config) const {
-    const auto found = std::ranges::find_if(configs, [&](const Config& c) { return &c == config; });
-    return found == configs.end() ? nullptr : &*found;
+std::shared_ptr<const std::vector<Config>> configs_of(const Display& display) {
+    const auto guard = lock();
+    return display.configs;
+}
+
+std::shared_ptr<const x11::Connection> connection_of(const Display& display) {
+    const auto guard = lock();
+    return display.connection;
+}
+
+std::shared_ptr<const Config> find_config(const Display& display, EGLConfig config) {
+    const auto configs = configs_of(display);
+    const auto found = std::ranges::find_if(*configs, [&](const Config& c) { return &c == config; });
+    return found == configs->end() ? nullptr : std::shared_ptr<const Config>(configs, &*found);
 }
 
 Display* get_display(EGLenum platform, void* native, int screen) {
@@ -123,6 +141,7 @@ Display* initialized_display(EGLDisplay wanted) {
         set_error(EGL_BAD_DISPLAY);
         return nullptr;
     }
+    const auto guard = lock();
     if (!display->is_initialized) {
         set_error(EGL_NOT_INITIALIZED);
         return nullptr;
@@ -143,37 +162,36 @@ void ask_xlib(void* native) {
     XSync(static_cast<::Display*>(native), False);
 }
 
-// False if there is no X server to be had.
+std::shared_ptr<const std::vector<Config>> share(std::vector<Config> configs) {
+    return std::make_shared<const std::vector<Config>>(std::move(configs));
+}
+
+// False if there is no X server to be had. Throws std::bad_alloc.
 bool connect(Display& display) {
-    xcb_connection_t* connection = nullptr;
+    xcb_connection_t* xcb = nullptr;
     ::Display* xlib = nullptr;
     int screen = display.screen;
     if (display.name == EGL_PLATFORM_XCB_EXT && display.native) {
-        connection = static_cast<xcb_connection_t*>(display.native);
+        xcb = static_cast<xcb_connection_t*>(display.native);
     } else if (display.native) {
         xlib = static_cast<::Display*>(display.native);
-        connection = XGetXCBConnection(xlib);
+        xcb = XGetXCBConnection(xlib);
         if (XExtCodes* codes = XAddExtension(xlib)) XESetCloseDisplay(xlib, codes->extension, &close_display);
         if (screen < 0) screen = DefaultScreen(xlib);
     } else {
-        connection = xcb_connect(nullptr, &screen);
-        display.owns_connection = true;
+        xcb = xcb_connect(nullptr, &screen);
     }
-    display.connection = x11::inspect(connection);
+    const auto connection = x11::inspect(xcb, !display.native);
     if (xlib) {
-        display.connection.lost = ask_xlib;
-        display.connection.owner = xlib;
+        connection->lost = ask_xlib;
+        connection->owner = xlib;
     }
-    const auto count = static_cast<int>(display.connection.screens.size());
-    if (count > 0) {
-        const auto number = static_cast<std::size_t>(std::clamp(screen, 0, count - 1));
-        display.configs = make_configs(&display.connection.screens[number]);
-        return true;
-    }
-    if (display.owns_connection) xcb_disconnect(connection);
-    display.owns_connection = false;
-    display.connection = {};
-    return false;
+    const auto count = static_cast<int>(connection->screens.size());
+    if (count == 0) return false;
+    const auto number = static_cast<std::size_t>(std::clamp(screen, 0, count - 1));
+    display.configs = share(make_configs(&connection->screens[number]));
+    display.connection = connection;
+    return true;
 }
 
 }  // namespace
@@ -189,7 +207,7 @@ EGLBoolean eglInitialize(EGLDisplay handle, EGLint* major, EGLint* minor) try {
         if (display->platform == egl::Platform::kX11) {
             if (!egl::connect(*display)) return egl::fail(EGL_NOT_INITIALIZED);
         } else {
-            display->configs = egl::make_configs(nullptr);
+            display->configs = egl::share(egl::make_configs(nullptr));
         }
         display->is_initialized = true;
     }
@@ -205,15 +223,13 @@ EGLBoolean eglInitialize(EGLDisplay handle, EGLint* major, EGLint* minor) try {
 EGLBoolean eglTerminate(EGLDisplay handle) {
     egl::Display* const display = egl::find_display(handle);
     if (!display) return egl::fail(EGL_BAD_DISPLAY);
+    egl::Remains remains;
     const auto guard = egl::lock();
     if (display->is_initialized) {
-        egl::abandon_surfaces(*display);
-        display->surfaces.clear();
-        display->contexts.clear();
-        display->syncs.clear();
-        if (display->owns_connection) xcb_disconnect(display->connection.xcb);
-        display->owns_connection = false;
-        display->connection = {};
+        remains.surfaces.swap(display->surfaces);
+        remains.contexts.swap(display->contexts);
+        remains.syncs.swap(display->syncs);
+        remains.connection.swap(display->connection);
         display->is_initialized = false;
     }
     egl::set_error(EGL_SUCCESS);

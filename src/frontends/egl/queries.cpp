@@ -37,8 +37,9 @@ EGLint eglGetError() {
 EGLBoolean eglGetConfigs(EGLDisplay handle, EGLConfig* configs, EGLint size, EGLint* count) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
+    const auto configs_there = egl::configs_of(*display);
     std::vector<const egl::Config*> all;
-    for (const egl::Config& config : display->configs) all.push_back(&config);
+    for (const egl::Config& config : *configs_there) all.push_back(&config);
     return to_client(all, configs, size, count);
 } catch (const std::exception&) {
     return egl::fail(EGL_BAD_ALLOC);
@@ -48,11 +49,13 @@ EGLBoolean eglChooseConfig(EGLDisplay handle, const EGLint* attributes, EGLConfi
                            EGLint* count) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    egl::Choice choice = egl::choose(display->configs, attributes);
+    const auto configs_there = egl::configs_of(*display);
+    egl::Choice choice = egl::choose(*configs_there, attributes);
     if (!choice.understood) return egl::fail(EGL_BAD_ATTRIBUTE);
     if (choice.pixmap) {
-        xcb_connection_t* const xcb = display->connection.xcb;
-        const auto pixmap = xcb ? terrazzo::x11::geometry(xcb, choice.pixmap) : std::nullopt;
+        const auto connection = egl::connection_of(*display);
+        const auto pixmap =
+            connection ? terrazzo::x11::geometry(connection->xcb, choice.pixmap) : std::nullopt;
         if (!pixmap) return egl::fail(EGL_BAD_ATTRIBUTE);
         std::erase_if(choice.configs, [&](const egl::Config* config) {
             return !config->visual || config->visual->image.depth != pixmap->depth;
@@ -66,7 +69,7 @@ EGLBoolean eglChooseConfig(EGLDisplay handle, const EGLint* attributes, EGLConfi
 EGLBoolean eglGetConfigAttrib(EGLDisplay handle, EGLConfig config_handle, EGLint attribute, EGLint* value) {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const egl::Config* const config = display->find(config_handle);
+    const auto config = egl::find_config(*display, config_handle);
     if (!config) return egl::fail(EGL_BAD_CONFIG);
     const auto answer = egl::attribute(*config, attribute);
     if (!answer) return egl::fail(EGL_BAD_ATTRIBUTE);

@@ -19,8 +19,16 @@ namespace x11 = terrazzo::x11;
 
 namespace {
 
+// The surface's handle, unless the display has been terminated meanwhile or its window has a surface by now.
 EGLSurface remember(egl::Display& display, std::shared_ptr<egl::Surface> surface) {
     const auto guard = egl::lock();
+    if (!display.is_initialized) return egl::fail(EGL_NOT_INITIALIZED);
+    if (surface->kind == egl::Kind::kWindow) {
+        for (const auto& [name, other] : display.surfaces) {
+            if (other->server && other->server->id() == surface->server->id())
+                return egl::fail(EGL_BAD_ALLOC);
+        }
+    }
     const EGLSurface made = surface.get();
     display.surfaces.emplace(made, std::move(surface));
     egl::set_error(EGL_SUCCESS);
@@ -59,27 +67,22 @@ EGLSurface create_native(EGLDisplay handle, EGLConfig config_handle, std::uint32
     const EGLint no_drawable = is_window ? EGL_BAD_NATIVE_WINDOW : EGL_BAD_NATIVE_PIXMAP;
     // There are no native ones, so whatever was given is none (EGL_MESA_platform_surfaceless).
     if (display->platform == egl::Platform::kSurfaceless) return egl::fail(no_drawable);
-    const egl::Config* const config = display->find(config_handle);
+    const auto config = egl::find_config(*display, config_handle);
+    const auto connection = egl::connection_of(*display);
     if (!config) return egl::fail(EGL_BAD_CONFIG);
-    if (!config->visual) return egl::fail(EGL_BAD_MATCH);
+    if (!config->visual || !connection) return egl::fail(EGL_BAD_MATCH);
     auto surface = std::make_shared<egl::Surface>();
     surface->kind = kind;
     surface->config = config;
     if (const EGLint error = parse_native(attributes, is_window, *surface); error != EGL_SUCCESS)
         return egl::fail(error);
-    xcb_connection_t* const xcb = display->connection.xcb;
+    xcb_connection_t* const xcb = connection->xcb;
     const auto geometry = x11::geometry(xcb, id);
     if (!geometry || (x11::window_visual(xcb, id) != 0) != is_window) return egl::fail(no_drawable);
     if (geometry->depth != config->visual->image.depth) return egl::fail(EGL_BAD_MATCH);
-    {
-        const auto guard = egl::lock();
-        for (const auto& [name, other] : display->surfaces) {
-            if (is_window && other->server && other->server->id() == id) return egl::fail(EGL_BAD_ALLOC);
-        }
-    }
     const bool double_buffered = is_window && surface->wants_back_buffer;
-    const auto buffers = std::make_shared<x11::ServerDrawable>(
-        display->connection, id, x11::BufferFormat{*config->visual, config->target_format(), double_buffered},
+    const auto buffers = x11::ServerDrawable::make(
+        connection, id, x11::BufferFormat{*config->visual, config->target_format(), double_buffered},
         *geometry);
     surface->server = buffers.get();
     surface->buffers = buffers;
@@ -137,7 +140,7 @@ EGLSurface eglCreatePlatformPixmapSurfaceEXT(EGLDisplay display, EGLConfig confi
 EGLSurface eglCreatePbufferSurface(EGLDisplay handle, EGLConfig config_handle, const EGLint* attributes) try {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_NO_SURFACE;
-    const egl::Config* const config = display->find(config_handle);
+    const auto config = egl::find_config(*display, config_handle);
     if (!config) return egl::fail(EGL_BAD_CONFIG);
     auto surface = std::make_shared<egl::Surface>();
     surface->config = config;
@@ -191,10 +194,9 @@ EGLSurface eglCreatePbufferFromClientBuffer(EGLDisplay handle, EGLenum, EGLClien
 EGLBoolean eglDestroySurface(EGLDisplay handle, EGLSurface surface) {
     egl::Display* const display = egl::initialized_display(handle);
     if (!display) return EGL_FALSE;
-    const auto last = egl::find_surface(*display, surface);
-    if (!last) return egl::fail(EGL_BAD_SURFACE);
+    const auto last = egl::find_surface(*display, surface);  // dies without the lock
     const auto guard = egl::lock();
-    display->surfaces.erase(surface);
+    if (!last || display->surfaces.erase(surface) == 0) return egl::fail(EGL_BAD_SURFACE);
     egl::set_error(EGL_SUCCESS);
     return EGL_TRUE;
 }
@@ -209,8 +211,9 @@ EGLBoolean eglQuerySurface(EGLDisplay handle, EGLSurface surface_handle, EGLint 
     switch (attribute) {
         case EGL_WIDTH:
         case EGL_HEIGHT: {
-            const auto now = surface->server && surface->kind == egl::Kind::kWindow
-                                 ? x11::geometry(display->connection.xcb, surface->server->id())
+            const auto connection = egl::connection_of(*display);
+            const auto now = connection && surface->kind == egl::Kind::kWindow
+                                 ? x11::geometry(connection->xcb, surface->server->id())
                                  : std::nullopt;
             const gl::Drawable& buffers = *surface->buffers;
             *value = attribute == EGL_WIDTH ? (now ? now->width : buffers.width())
@@ -341,7 +344,8 @@ EGLBoolean eglCopyBuffers(EGLDisplay handle, EGLSurface surface_handle, EGLNativ
     const auto surface = egl::find_surface(*display, surface_handle);
     gl::Context* const ctx = surface ? context_drawing_to(*surface) : nullptr;
     if (!ctx) return egl::fail(EGL_BAD_SURFACE);
-    xcb_connection_t* const xcb = display->connection.xcb;
+    const auto connection = egl::connection_of(*display);
+    xcb_connection_t* const xcb = connection ? connection->xcb : nullptr;
     const auto id = static_cast<xcb_drawable_t>(pixmap);
     const auto geometry = xcb ? x11::geometry(xcb, id) : std::nullopt;
     if (!geometry || !surface->config->visual || x11::window_visual(xcb, id) != 0)
@@ -352,7 +356,7 @@ EGLBoolean eglCopyBuffers(EGLDisplay handle, EGLSurface surface_handle, EGLNativ
         geometry->height != buffers.height())
         return egl::fail(EGL_BAD_MATCH);
     gl::finish(*ctx);
-    x11::Image image(xcb, display->connection.may_share, visual.image, buffers.width(), buffers.height());
+    x11::Image image(xcb, connection->may_share, visual.image, buffers.width(), buffers.height());
     gl::copy_picture(*surface->buffers, gl::ColorBuffer::kBack, visual.layout,
                      image.data() + (buffers.height() - 1) * image.stride(), -image.stride());
     const xcb_gcontext_t gc = xcb_generate_id(xcb);

@@ -41,7 +41,7 @@ GLXContext create(Display* display, const glx::Config* config, int screen, GLXCo
         wanted.double_buffered = config->double_buffered;
     }
     context->gl = gl::create_context(wanted, partner ? partner->gl.get() : nullptr);
-    context->id = xcb_generate_id(context->display->connection.xcb);
+    context->id = xcb_generate_id(context->display->xcb());
     return registry().add(std::move(context));
 } catch (const std::exception&) {
     return fail(display, BadAlloc, false, 0, minor);
@@ -174,9 +174,11 @@ void glXDestroyContext(Display* display, GLXContext handle) {
 void glXCopyContext(Display* display, GLXContext source, GLXContext destination, unsigned long mask) try {
     const auto from = registry().context(source), to = registry().context(destination);
     if (!from || !to) return glx::send_error(display, GLXBadContext, true, 0, X_GLXCopyContext);
-    const auto mine = glx::current_context();
-    if (to->is_current || (from->is_current && from != mine))
-        return glx::send_error(display, BadAccess, false, 0, X_GLXCopyContext);
+    // Neither of the two becomes current elsewhere while one is copied.
+    const window::Reservation taken(*to);
+    std::optional<window::Reservation> read;
+    if (from != glx::current_context() && from != to) read.emplace(*from);
+    if (!taken || (read && !*read)) return glx::send_error(display, BadAccess, false, 0, X_GLXCopyContext);
     if (from->display != to->display || from->screen != to->screen)
         return glx::send_error(display, BadMatch, false, 0, X_GLXCopyContext);
     gl::copy_attributes(*from->gl, *to->gl, static_cast<GLbitfield>(mask));
@@ -194,12 +196,8 @@ bool compatible(const glx::Context& context, const glx::Drawable& drawable) {
 }
 
 Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXContext handle, int minor) try {
-    const auto before = glx::current_context();
     if (!handle && !draw && !read) {
-        if (before) {
-            window::make_current({});
-            before->draw = before->read = 0;
-        }
+        if (glx::current_context()) window::make_current({});
         return True;
     }
     const auto refuse = [&](int code, bool is_glx, XID resource) {
@@ -223,7 +221,6 @@ Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXConte
     }
     if (!window::make_current({context, to ? to->buffers : nullptr, from ? from->buffers : nullptr}))
         return refuse(BadAccess, false, 0);
-    if (before && before != context) before->draw = before->read = 0;
     context->draw = draw;
     context->read = read;
     return True;
@@ -258,7 +255,7 @@ GLXDrawable glXGetCurrentReadDrawable() {
 
 Display* glXGetCurrentDisplay() {
     const auto context = glx::current_context();
-    return context ? context->display->display : nullptr;
+    return context ? context->display->display.load() : nullptr;
 }
 
 Bool glXIsDirect(Display* display, GLXContext handle) {

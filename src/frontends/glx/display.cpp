@@ -33,12 +33,13 @@ std::shared_ptr<DisplayState> Registry::display(::Display* display) {
     if (const auto known = m_displays.find(display); known != m_displays.end()) return known->second;
     auto state = std::make_shared<DisplayState>();
     state->display = display;
-    state->connection = x11::inspect(XGetXCBConnection(display));
-    state->connection.lost = ask_xlib;
-    state->connection.owner = display;
+    const auto connection = x11::inspect(XGetXCBConnection(display), false);
+    connection->lost = ask_xlib;
+    connection->owner = display;
+    state->connection = connection;
     int first_id = 1;
-    for (std::size_t s = 0; s < state->connection.screens.size(); ++s) {
-        state->configs.push_back(make_configs(state->connection.screens[s], static_cast<int>(s), first_id));
+    for (std::size_t s = 0; s < connection->screens.size(); ++s) {
+        state->configs.push_back(make_configs(connection->screens[s], static_cast<int>(s), first_id));
         first_id += static_cast<int>(state->configs.back().size());
     }
     for (const auto& configs : state->configs) {
@@ -63,17 +64,18 @@ int Registry::close_display(::Display* display, XExtCodes*) {
 }
 
 void Registry::forget(::Display* display) {
-    const std::lock_guard lock(m_mutex);
-    const auto known = m_displays.find(display);
-    if (known == m_displays.end()) return;
-    DisplayState& state = *known->second;
-    for (const auto& [name, drawable] : state.drawables) {
-        if (drawable->server) drawable->server->abandon();
+    std::shared_ptr<DisplayState> state;
+    std::map<XID, std::shared_ptr<Drawable>> last;  // die without the lock
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto known = m_displays.find(display);
+        if (known == m_displays.end()) return;
+        state = std::move(known->second);
+        m_displays.erase(known);
+        last.swap(state->drawables);
     }
-    state.drawables.clear();
-    state.display = nullptr;
-    state.connection.xcb = nullptr;
-    m_displays.erase(known);
+    state->display = nullptr;
+    x11::abandon_drawables(*state->connection);
 }
 
 std::shared_ptr<Context> Registry::context(GLXContext handle) {
@@ -103,19 +105,31 @@ std::shared_ptr<Drawable> Registry::drawable(DisplayState& display, GLXDrawable 
     return known == display.drawables.end() ? nullptr : known->second;
 }
 
-void Registry::add(DisplayState& display, GLXDrawable name, std::shared_ptr<Drawable> drawable) {
-    const std::lock_guard lock(m_mutex);
-    display.drawables.insert_or_assign(name, std::move(drawable));
-}
-
-bool Registry::remove(DisplayState& display, GLXDrawable name) {
-    std::shared_ptr<Drawable> last;
+bool Registry::add(DisplayState& display, GLXDrawable name, const std::shared_ptr<Drawable>& before,
+                   std::shared_ptr<Drawable> drawable) {
     const std::lock_guard lock(m_mutex);
     const auto known = display.drawables.find(name);
-    if (known == display.drawables.end()) return false;
-    last = std::move(known->second);
-    display.drawables.erase(known);
+    if ((known == display.drawables.end() ? nullptr : known->second) != before) return false;
+    display.drawables.insert_or_assign(name, std::move(drawable));
     return true;
+}
+
+std::shared_ptr<Drawable> Registry::remove(DisplayState& display, GLXDrawable name) {
+    const std::lock_guard lock(m_mutex);
+    const auto known = display.drawables.find(name);
+    if (known == display.drawables.end()) return nullptr;
+    std::shared_ptr<Drawable> last = std::move(known->second);
+    display.drawables.erase(known);
+    return last;
+}
+
+std::vector<XID> Registry::unused_windows(DisplayState& display) {
+    const std::lock_guard lock(m_mutex);
+    std::vector<XID> names;
+    for (const auto& [name, drawable] : display.drawables) {
+        if (drawable->is_x_window && drawable->buffers.use_count() == 1) names.push_back(name);
+    }
+    return names;
 }
 
 const Config* Registry::config_of_visual(DisplayState& display, int screen, VisualID visual) {

@@ -2,11 +2,13 @@
 //
 // One lock guards all of it. It is never held while something is drawn or the server is waited for, except
 // when a display is met for the first time. Objects are handed out as shared_ptr, so what another thread
-// destroys meanwhile stays good.
+// destroys meanwhile stays good. What may change of a drawable or a display that is open is atomic, or the
+// registry's.
 #pragma once
 
 #include <GL/glx.h>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -29,21 +31,24 @@ struct Drawable {
     const Config* config = nullptr;
     std::shared_ptr<gl::Drawable> buffers;
     x11::ServerDrawable* server = nullptr;  // the same, null for pbuffers
-    unsigned long event_mask = 0;
+    std::atomic<unsigned long> event_mask = 0;
     bool is_largest = false, is_preserved = false;  // of a pbuffer
     int texture_format = GLX_TEXTURE_FORMAT_NONE_EXT, texture_target = 0;
     bool texture_mipmaps = false;
-    int swap_interval = 0;
-    std::int64_t last_msc = 0;  // of the last swap that waited
+    std::atomic<int> swap_interval = 0;
+    std::atomic<std::int64_t> last_msc = 0;  // of the last swap that waited
 };
 
 // One per Display; outlives it where contexts still refer to it.
 struct DisplayState {
-    ::Display* display = nullptr;  // null once it is closed
-    x11::Connection connection;
-    std::vector<std::vector<Config>> configs;          // by screen
+    std::atomic<::Display*> display = nullptr;  // null once it is closed
+    std::shared_ptr<const x11::Connection> connection;
+    std::vector<std::vector<Config>> configs;  // by screen
+    // The registry's.
     std::map<VisualID, const Config*> visual_configs;  // what glXGetConfig says of a visual
     std::map<XID, std::shared_ptr<Drawable>> drawables;
+
+    xcb_connection_t* xcb() const { return connection->xcb; }
 };
 
 }  // namespace terrazzo::glx
@@ -79,10 +84,13 @@ class Registry {
     void remove(GLXContext handle);
 
     std::shared_ptr<Drawable> drawable(DisplayState& display, GLXDrawable name);
-    // Throws std::bad_alloc.
-    void add(DisplayState& display, GLXDrawable name, std::shared_ptr<Drawable> drawable);
-    // False if there is none.
-    bool remove(DisplayState& display, GLXDrawable name);
+    // In place of `before`, null for none; false if it is another thread's by now. Throws std::bad_alloc.
+    bool add(DisplayState& display, GLXDrawable name, const std::shared_ptr<Drawable>& before,
+             std::shared_ptr<Drawable> drawable);
+    // The one of that name, from now on nobody's; null if there is none.
+    std::shared_ptr<Drawable> remove(DisplayState& display, GLXDrawable name);
+    // Windows that were made current as they were and are so nowhere at the moment. Throws std::bad_alloc.
+    std::vector<XID> unused_windows(DisplayState& display);
 
     // The configuration that stands for a visual: the last one that glXChooseVisual answered with it.
     const Config* config_of_visual(DisplayState& display, int screen, VisualID visual);

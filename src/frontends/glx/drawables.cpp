@@ -33,50 +33,55 @@ std::shared_ptr<Drawable> make_server_drawable(const DisplayState& display, Kind
     out->config = &config;
     x11::BufferFormat format = config.buffer_format();
     if (kind == Kind::kPixmap) format.double_buffered = false;
-    const auto buffers =
-        std::make_shared<x11::ServerDrawable>(display.connection, server_id, format, geometry);
+    const auto buffers = x11::ServerDrawable::make(display.connection, static_cast<xcb_drawable_t>(server_id),
+                                                   format, geometry);
     out->server = buffers.get();
     out->buffers = buffers;
     return out;
 }
 
+// Gives a drawable a name. Throws std::bad_alloc.
+GLXDrawable name_drawable(DisplayState& display, const std::shared_ptr<Drawable>& drawable) {
+    for (;;) {
+        const GLXDrawable name = xcb_generate_id(display.xcb());
+        // Names come again when the server has run out of them, those of dead windows among them.
+        if (registry().add(display, name, registry().drawable(display, name), drawable)) return name;
+    }
+}
+
 // Windows that went to their end without a word to GLX are forgotten when a new one comes.
 void forget_dead_windows(DisplayState& display) {
-    std::vector<XID> names;
-    for (const auto& [name, drawable] : display.drawables) {
-        if (drawable->is_x_window && drawable->buffers.use_count() == 1) names.push_back(name);
-    }
-    for (const XID name : names) {
-        if (!x11::geometry(display.connection.xcb, static_cast<xcb_window_t>(name)))
-            registry().remove(display, name);
+    for (const XID name : registry().unused_windows(display)) {
+        if (!x11::geometry(display.xcb(), static_cast<xcb_window_t>(name))) registry().remove(display, name);
     }
 }
 
 }  // namespace
 
 std::shared_ptr<Drawable> drawable_for(DisplayState& display, GLXDrawable name, const Config* config) {
-    if (auto known = registry().drawable(display, name)) {
+    for (;;) {
+        const auto known = registry().drawable(display, name);
         // A window keeps the buffers that it was first drawn with until a context of another kind comes.
-        const bool other = known->is_x_window && config &&
+        const bool other = known && known->is_x_window && config &&
                            (known->config->target_format() != config->target_format() ||
                             known->config->double_buffered != config->double_buffered);
-        if (!other) return known;
+        if (known && !other) return known;
+        const auto window = static_cast<xcb_window_t>(name);
+        const xcb_visualid_t visual = x11::window_visual(display.xcb(), window);
+        const auto geometry = x11::geometry(display.xcb(), window);
+        if (!visual || !geometry) return nullptr;
+        if (!config) {
+            for (std::size_t s = 0; s < display.configs.size() && !config; ++s)
+                config = registry().config_of_visual(display, static_cast<int>(s), visual);
+            if (!config) return nullptr;
+        }
+        if (config->visual.image.depth != geometry->depth) return nullptr;
+        forget_dead_windows(display);
+        auto drawable = make_server_drawable(display, Kind::kWindow, window, *config, *geometry);
+        drawable->is_x_window = true;
+        // Unless another thread has been faster, or has forgotten a window that died: then once more.
+        if (registry().add(display, name, known, drawable)) return drawable;
     }
-    const auto window = static_cast<xcb_window_t>(name);
-    const xcb_visualid_t visual = x11::window_visual(display.connection.xcb, window);
-    const auto geometry = x11::geometry(display.connection.xcb, window);
-    if (!visual || !geometry) return nullptr;
-    if (!config) {
-        for (std::size_t s = 0; s < display.configs.size() && !config; ++s)
-            config = registry().config_of_visual(display, static_cast<int>(s), visual);
-        if (!config) return nullptr;
-    }
-    if (config->visual.image.depth != geometry->depth) return nullptr;
-    forget_dead_windows(display);
-    auto drawable = make_server_drawable(display, Kind::kWindow, window, *config, *geometry);
-    drawable->is_x_window = true;
-    registry().add(display, name, drawable);
-    return drawable;
 }
 
 }  // namespace terrazzo::glx
@@ -100,8 +105,8 @@ GLXDrawable create_on_server(Display* display, const glx::Config* config, XID se
     if (!config || !registry().is_config(*state, const_cast<GLXFBConfig>(config)))
         return fail({GLXBadFBConfig, true, 0});
     const auto id = static_cast<xcb_drawable_t>(server_id);
-    const auto geometry = x11::geometry(state->connection.xcb, id);
-    const bool is_window = x11::window_visual(state->connection.xcb, id) != 0;
+    const auto geometry = x11::geometry(state->xcb(), id);
+    const bool is_window = x11::window_visual(state->xcb(), id) != 0;
     if (!geometry || is_window == is_pixmap)
         return fail({is_pixmap ? BadPixmap : BadWindow, false, server_id});
     if (geometry->depth != config->visual.image.depth) return fail({BadMatch, false, server_id});
@@ -121,9 +126,7 @@ GLXDrawable create_on_server(Display* display, const glx::Config* config, XID se
                 return fail({BadValue, false, 0});
         }
     }
-    const GLXDrawable name = xcb_generate_id(state->connection.xcb);
-    registry().add(*state, name, drawable);
-    return name;
+    return glx::name_drawable(*state, drawable);
 } catch (const std::exception&) {
     glx::send_error(display, BadAlloc, false, 0, minor);
     return 0;
@@ -134,10 +137,10 @@ void destroy(Display* display, GLXDrawable name, glx::Kind kind, int error, int 
     const auto drawable = state ? registry().drawable(*state, name) : nullptr;
     if (!drawable || drawable->kind != kind || drawable->is_x_window)
         return glx::send_error(display, error, true, name, minor);
-    registry().remove(*state, name);
+    const bool is_ours = registry().remove(*state, name) != nullptr;  // and not another thread's
     // A window that is destroyed takes its GLXWindow along.
     const auto id = static_cast<xcb_drawable_t>(drawable->server_id);
-    if (kind == glx::Kind::kWindow && !x11::geometry(state->connection.xcb, id))
+    if (!is_ours || (kind == glx::Kind::kWindow && !x11::geometry(state->xcb(), id)))
         glx::send_error(display, error, true, name, minor);
 }
 
@@ -173,9 +176,7 @@ GLXPbuffer create_pbuffer(Display* display, const glx::Config* config, PbufferRe
                                                                                : gl::Buffering::kSingle);
     drawable->buffers->allocate(std::max(wanted.width, 1), std::max(wanted.height, 1),
                                 config->target_format());
-    const GLXPbuffer name = xcb_generate_id(state->connection.xcb);
-    registry().add(*state, name, std::move(drawable));
-    return name;
+    return glx::name_drawable(*state, drawable);
 } catch (const std::exception&) {
     glx::send_error(display, BadAlloc, false, 0, X_GLXCreatePbuffer);
     return 0;
@@ -190,15 +191,13 @@ gl::Context* context_drawing_to(const glx::Drawable& drawable) {
 // Nobody sees a pbuffer, but its front buffer can be read.
 void swap_pbuffer(gl::Context* ctx, gl::Drawable& buffers) {
     if (ctx) gl::finish(*ctx);
-    const gl::ColorBuffer selected = buffers.selected();
-    buffers.select(gl::ColorBuffer::kFront);
-    buffers.select(selected);
+    buffers.target_with_front();
     buffers.swap_pixels();
 }
 
 void wait_for_interval(glx::Drawable& drawable) {
-    if (drawable.swap_interval == 0) return;
-    drawable.last_msc = window::wait_for_msc(drawable.last_msc + drawable.swap_interval, 0, 0);
+    const int interval = drawable.swap_interval;
+    if (interval != 0) drawable.last_msc = window::wait_for_msc(drawable.last_msc + interval, 0, 0);
 }
 
 }  // namespace
@@ -292,7 +291,7 @@ void glXQueryDrawable(Display* display, GLXDrawable name, int attribute, unsigne
         case GLX_HEIGHT: {
             const auto now =
                 drawable->server
-                    ? x11::geometry(state->connection.xcb, static_cast<xcb_drawable_t>(drawable->server_id))
+                    ? x11::geometry(state->xcb(), static_cast<xcb_drawable_t>(drawable->server_id))
                     : std::nullopt;
             const gl::Drawable& buffers = *drawable->buffers;
             answer = static_cast<unsigned>(attribute == GLX_WIDTH ? (now ? now->width : buffers.width())
@@ -385,7 +384,7 @@ void glXWaitGL() try {
 // not part of our front buffer until that is read from the server.
 void glXWaitX() try {
     const auto context = glx::current_context();
-    Display* const display = context ? context->display->display : nullptr;
+    Display* const display = context ? context->display->display.load() : nullptr;
     if (!display) return;
     XSync(display, False);
     const auto& window = context->gl->framebuffers.window_draw;

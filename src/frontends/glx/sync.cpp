@@ -56,7 +56,7 @@ int glXSwapIntervalMESA(unsigned int interval) {
 
 int glXGetSwapIntervalMESA() {
     const auto drawable = current_drawable();
-    return drawable ? drawable->swap_interval : 0;
+    return drawable ? drawable->swap_interval.load() : 0;
 }
 
 Bool glXGetSyncValuesOML(Display* display, GLXDrawable name, int64_t* ust, int64_t* msc, int64_t* sbc) {

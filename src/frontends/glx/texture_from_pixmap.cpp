@@ -4,9 +4,7 @@
 #include <GL/glext.h>
 #include <GL/glx.h>
 
-#include <cstring>
 #include <exception>
-#include <vector>
 
 #include "frontends/glx/display.h"
 #include "frontends/glx/own_pixels.h"
@@ -15,23 +13,9 @@
 
 namespace gl = terrazzo::gl;
 namespace glx = terrazzo::glx;
-namespace x11 = terrazzo::x11;
 using terrazzo::glx::registry;
 
-namespace {
-
 // Row 0 of a texture is the pixmap's bottom row (GLX_Y_INVERTED_EXT is False).
-std::vector<std::byte> bottom_row_first(x11::Image& image, std::size_t row_bytes) {
-    std::vector<std::byte> rows(row_bytes * static_cast<std::size_t>(image.height()));
-    for (int y = 0; y < image.height(); ++y) {
-        std::memcpy(rows.data() + static_cast<std::size_t>(image.height() - 1 - y) * row_bytes,
-                    image.data() + y * image.stride(), row_bytes);
-    }
-    return rows;
-}
-
-}  // namespace
-
 void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const int*) try {
     const auto drawable = glx::find_drawable(display, name);
     const auto fail = [&](int code, bool is_glx) {
@@ -44,11 +28,10 @@ void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const in
     const auto context = glx::current_context();
     if (!context) return;
     drawable->server->follow_window(gl::Follow::kOncePerPicture);
-    x11::Image* const image = drawable->server->read_server();
-    if (!image) return fail(BadDrawable, false);
+    const auto picture = drawable->server->read_server();
+    if (!picture) return fail(BadDrawable, false);
 
     const bool is_565 = drawable->config->visual.color == terrazzo::raster::ColorFormat::kRgb565;
-    const auto rows = bottom_row_first(*image, static_cast<std::size_t>(image->width()) * (is_565 ? 2 : 4));
     const GLenum format = is_565 ? GL_RGB
                           : drawable->config->visual.layout == terrazzo::pipeline::PixelLayout::kBgra8
                               ? GL_BGRA
@@ -59,11 +42,11 @@ void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const in
     // Not through the program's list, if it is compiling one.
     const gl::Dispatch& commands = *context->gl->dispatch.execute;
     if (drawable->texture_target == GLX_TEXTURE_1D_EXT) {
-        commands.TexImage1D(context->gl.get(), GL_TEXTURE_1D, 0, internal, image->width(), 0, format, type,
-                            rows.data());
+        commands.TexImage1D(context->gl.get(), GL_TEXTURE_1D, 0, internal, picture->width, 0, format, type,
+                            picture->rows.data());
     } else {
-        commands.TexImage2D(context->gl.get(), GL_TEXTURE_2D, 0, internal, image->width(), image->height(), 0,
-                            format, type, rows.data());
+        commands.TexImage2D(context->gl.get(), GL_TEXTURE_2D, 0, internal, picture->width, picture->height, 0,
+                            format, type, picture->rows.data());
     }
 } catch (const std::exception&) {
     glx::send_error(display, BadAlloc, false, name, X_GLXVendorPrivate);

@@ -105,7 +105,7 @@ void define_list(FontReader& reader, unsigned code, const XCharStruct& metrics, 
 
 void glXUseXFont(Font font, int first, int count, int list_base) try {
     const auto context = glx::current_context();
-    Display* const display = context ? context->display->display : nullptr;
+    Display* const display = context ? context->display->display.load() : nullptr;
     if (!display || count <= 0) return;
     const std::unique_ptr<XFontStruct, FreeFont> known(XQueryFont(display, font));
     if (!known) return glx::send_error(display, BadFont, false, font, X_GLXUseXFont);

@@ -21,7 +21,24 @@ struct Context {
 
     const Interface interface;
     std::unique_ptr<gl::Context> gl;
-    std::atomic<bool> is_current = false;  // in some thread
+    std::atomic<bool> is_current = false;  // in some thread, or set aside by one
+};
+
+// Takes a context out of all threads' reach while it lives, unless some thread has it current.
+class Reservation {
+  public:
+    explicit Reservation(Context& context)
+        : m_context(context), m_is_taken(!context.is_current.exchange(true)) {}
+    ~Reservation() {
+        if (m_is_taken) m_context.is_current = false;
+    }
+    Reservation(const Reservation&) = delete;
+    Reservation& operator=(const Reservation&) = delete;
+    explicit operator bool() const { return m_is_taken; }
+
+  private:
+    Context& m_context;
+    bool m_is_taken;
 };
 
 struct Binding {

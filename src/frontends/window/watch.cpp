@@ -6,6 +6,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -97,7 +98,7 @@ class Watcher {
     }
 
     std::mutex m_mutex;
-    int m_socket = -1;
+    std::atomic<int> m_socket = -1;  // closed under the mutex
     bool m_pictures = false;
     Clock::time_point m_last;
 };

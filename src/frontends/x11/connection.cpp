@@ -48,14 +48,20 @@ std::optional<Visual> describe(const xcb_visualtype_t& visual, const ImageFormat
 
 }  // namespace
 
-Connection inspect(xcb_connection_t* connection) {
-    Connection out;
+Connection::~Connection() {
+    if (is_own) xcb_disconnect(xcb);
+}
+
+std::shared_ptr<Connection> inspect(xcb_connection_t* connection, bool owns) {
+    auto made = std::make_shared<Connection>();
+    Connection& out = *made;
     out.xcb = connection;
-    if (xcb_connection_has_error(connection)) return out;
+    out.is_own = owns;
+    if (out.is_lost()) return made;
     const xcb_setup_t* setup = xcb_get_setup(connection);
     // Layouts are in the order of our addresses: a server of the other order would need its bytes swapped.
     const bool little = std::endian::native == std::endian::little;
-    if ((setup->image_byte_order == XCB_IMAGE_ORDER_LSB_FIRST) != little) return out;
+    if ((setup->image_byte_order == XCB_IMAGE_ORDER_LSB_FIRST) != little) return made;
     const xcb_query_extension_reply_t* shm = xcb_get_extension_data(connection, &xcb_shm_id);
     out.may_share = shm && shm->present && !setting("TERRAZZO_NO_SHM");
     for (auto screen = xcb_setup_roots_iterator(setup); screen.rem; xcb_screen_next(&screen)) {
@@ -72,7 +78,7 @@ Connection inspect(xcb_connection_t* connection) {
             }
         }
     }
-    return out;
+    return made;
 }
 
 std::optional<Geometry> geometry(xcb_connection_t* connection, xcb_drawable_t drawable) {

@@ -4,6 +4,7 @@
 
 #include <xcb/xcb.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,8 +31,16 @@ struct Screen {
     std::vector<Visual> visuals;  // in the server's order
 };
 
+// Shared by those who use it. Constant once it is known, but for its end.
 struct Connection {
     xcb_connection_t* xcb = nullptr;
+    // Of those who may outlive it; guarded by them (drawable.cpp).
+    struct End {
+        bool is_closed = false;  // set before it closes: nobody may touch it afterwards
+        int being_left = 0;      // by so many at the moment, who are waited for
+    };
+    mutable End end;
+    bool is_own = false;  // ends with this
     bool may_share = false;
     std::vector<Screen> screens;
     // What happens to a program whose server has gone, when it shows a picture; `owner` is the argument. Need
@@ -39,12 +48,17 @@ struct Connection {
     void (*lost)(void* owner) = nullptr;
     void* owner = nullptr;
 
-    // Of a connection that is not null: whether its server has gone.
+    Connection() = default;
+    ~Connection();
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+
+    // Whether its server has gone.
     bool is_lost() const { return xcb_connection_has_error(xcb) != 0; }
 };
 
-// Asks the server once. `connection` must outlive the answer.
-Connection inspect(xcb_connection_t* connection);
+// Asks the server once. The connection must outlive the answer, unless that owns it. Throws std::bad_alloc.
+std::shared_ptr<Connection> inspect(xcb_connection_t* connection, bool owns);
 
 // The size of a drawable, and its depth; empty if there is none of that name. Waits for the server.
 struct Geometry {

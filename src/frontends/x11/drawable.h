@@ -8,8 +8,10 @@
 // told (Xlib ends the program, as a rule); a program that goes on is held to the beat of a display.
 #pragma once
 
-#include <mutex>
+#include <cstddef>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "frontends/x11/connection.h"
 #include "gl/drawable.h"
@@ -23,13 +25,20 @@ struct BufferFormat {
     bool double_buffered = false;
 };
 
-// Base of what lives in the server. Threads: contexts of several may have it current, though they draw one at
-// a time: what is said to the server and heard from it is under a lock.
-class ServerDrawable : public gl::Drawable {
+// A picture out of the server: rows of whole pixels, the bottom one first, none between them.
+struct Picture {
+    int width, height;
+    std::vector<std::byte> rows;
+};
+
+// Base of what lives in the server. Threads: any; what is said to the server and heard from it is under the
+// drawable's mutex.
+class ServerDrawable : public gl::Drawable, public std::enable_shared_from_this<ServerDrawable> {
   public:
     // `geometry` is what the server says at the moment. Throws std::bad_alloc.
-    ServerDrawable(const Connection& connection, xcb_drawable_t id, const BufferFormat& format,
-                   const Geometry& geometry);
+    static std::shared_ptr<ServerDrawable> make(std::shared_ptr<const Connection> connection,
+                                                xcb_drawable_t id, const BufferFormat& format,
+                                                const Geometry& geometry);
     ~ServerDrawable() override;
 
     xcb_drawable_t id() const { return m_id; }
@@ -46,26 +55,30 @@ class ServerDrawable : public gl::Drawable {
     // std::bad_alloc.
     void follow_window(gl::Follow when) override;
     // How many swaps ago the back buffer's pixels were drawn; 0: they are undefined (EGL_EXT_buffer_age).
-    long long buffer_age() const { return m_back_frame == 0 ? 0 : m_swaps - m_back_frame + 1; }
-    // Whether it is known that the server, or the drawable in it, has gone. Waits for nothing.
-    bool is_gone() const { return m_connection.xcb && (m_is_gone || m_connection.is_lost()); }
+    long long buffer_age() const;
+    // Whether it is known that the server, or the drawable in it, has gone. Does not ask the server.
+    bool is_gone() const;
     // Swaps so far.
-    long long swap_count() const { return m_swaps; }
+    long long swap_count() const;
 
     void show_front(gl::Context& ctx) override;
 
-    // The server's pixels, top row first, in an image of the drawable's size; null if it cannot be read.
-    // Throws std::bad_alloc.
-    Image* read_server();
+    // The server's pixels; empty if they cannot be read. Throws std::bad_alloc.
+    std::optional<Picture> read_server();
 
-    // Nothing is shown any more and the connection is not touched again: it is about to close.
-    void abandon();
+    // Nothing is shown any more and the connection is not touched again.
+    void abandon() noexcept;
 
   protected:
     void load_front() override;
 
   private:
+    ServerDrawable(std::shared_ptr<const Connection> connection, xcb_drawable_t id,
+                   const BufferFormat& format);
+
+    void release(bool is_open);
     Image& image();
+    Image* fetch();
     void copy_to_image(gl::Context* ctx, gl::ColorBuffer buffer);
     void put(int x, int y, int width, int height);
     void show(int x, int y, int width, int height);
@@ -74,12 +87,10 @@ class ServerDrawable : public gl::Drawable {
     void follow_answer();
     void resize(int width, int height);
 
-    // Recursive: a picture that is copied may have to be read from the server first.
-    std::recursive_mutex m_mutex;
-    Connection m_connection;  // its xcb is null once the drawable is abandoned
-    xcb_drawable_t m_id;
-    BufferFormat m_format;
-    xcb_gcontext_t m_gc;
+    std::shared_ptr<const Connection> m_connection;  // null once the drawable is abandoned
+    const xcb_drawable_t m_id;
+    const BufferFormat m_format;
+    const xcb_gcontext_t m_gc;
     std::optional<Image> m_image;
     std::optional<xcb_get_geometry_cookie_t> m_asked;
     bool m_followed = true;  // since the last picture was shown
@@ -88,5 +99,9 @@ class ServerDrawable : public gl::Drawable {
     // The swap that showed the pixels of the back and of the front buffer; 0: none did, they are undefined.
     long long m_back_frame = 0, m_front_frame = 0;
 };
+
+// The connection is about to close: abandons all its drawables, those too that nobody knows by name any more
+// and a context still draws to, and those that are made with it from now on.
+void abandon_drawables(const Connection& connection);
 
 }  // namespace terrazzo::x11

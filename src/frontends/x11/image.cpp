@@ -23,8 +23,10 @@ Image::Image(xcb_connection_t* connection, bool may_share, const ImageFormat& fo
 
 Image::~Image() {
     if (!is_shared()) return;
-    quietly(m_connection, xcb_shm_detach_checked(m_connection, m_segment));
-    xcb_flush(m_connection);
+    if (m_connection) {
+        quietly(m_connection, xcb_shm_detach_checked(m_connection, m_segment));
+        xcb_flush(m_connection);
+    }
     shmdt(m_data);
 }
 

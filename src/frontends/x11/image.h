@@ -43,6 +43,8 @@ class Image {
     // Copies the drawable, whose size is at least the image's, into the image. False if it cannot be read: it
     // is gone, or a window that is not on the screen. Waits for the server.
     bool get(xcb_drawable_t drawable);
+    // The connection has closed: it is not touched again.
+    void abandon() { m_connection = nullptr; }
 
   private:
     bool share();
