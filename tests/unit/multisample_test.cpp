@@ -206,6 +206,96 @@ TEST_F(MultisampleTest, RenderbuffersOfSeveralSamples) {
     EXPECT_EQ(take_error(), GLenum{GL_INVALID_OPERATION});
 }
 
+// Of windows every read resolves; of multisampled objects none does (ARB_framebuffer_object: ReadPixels,
+// CopyPixels and copies to textures are GL_INVALID_OPERATION), a blit alone.
+TEST_F(MultisampleTest, PixelsOfObjectsAreReadByBlitsAlone) {
+    bind_renderbuffer(ctx(), GL_RENDERBUFFER, 7);
+    renderbuffer_storage_multisample(ctx(), GL_RENDERBUFFER, 4, GL_RGBA8, kSize, kSize);
+    bind_renderbuffer(ctx(), GL_RENDERBUFFER, 8);
+    renderbuffer_storage_multisample(ctx(), GL_RENDERBUFFER, 4, GL_DEPTH24_STENCIL8, kSize, kSize);
+    bind_framebuffer(ctx(), GL_FRAMEBUFFER, 3);
+    framebuffer_renderbuffer(ctx(), GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, 7);
+    framebuffer_renderbuffer(ctx(), GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, 8);
+    clear(ctx(), GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    fill(1, 3.5f, 8);
+    const auto refused = [&](const char* what, auto call) {
+        call();
+        EXPECT_EQ(take_error(), GLenum{GL_INVALID_OPERATION}) << what;
+    };
+    std::array<GLuint, 4> memory{5, 5, 5, 5};
+    const auto read = [&](GLenum format, GLenum type) {
+        refused("ReadPixels", [&] { read_pixels(ctx(), 4, 4, 1, 1, format, type, memory.data()); });
+    };
+    read(GL_RGBA, GL_UNSIGNED_BYTE);
+    read(GL_RGBA, GL_FLOAT);
+    read(GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+    read(GL_STENCIL_INDEX, GL_UNSIGNED_INT);
+    read(GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
+    EXPECT_EQ(memory, (std::array<GLuint, 4>{5, 5, 5, 5}));
+    raster_pos4f(ctx(), 0, 0, 0, 1);
+    for (const GLenum type : {GL_COLOR, GL_DEPTH, GL_STENCIL})
+        refused("CopyPixels", [&] { copy_pixels(ctx(), 4, 4, 1, 1, type); });
+    for (const GLenum format : {GL_RGBA, GL_RGB, GL_DEPTH_COMPONENT})
+        refused("CopyTexImage", [&] { copy_tex_image_2d(ctx(), GL_TEXTURE_2D, 0, format, 0, 0, 8, 8, 0); });
+    tex_image_2d(ctx(), GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    refused("CopyTexSubImage", [&] { copy_tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8); });
+    bind_framebuffer(ctx(), GL_DRAW_FRAMEBUFFER, 0);
+    blit_framebuffer(ctx(), 0, 0, kSize, kSize, 0, 0, kSize, kSize, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    bind_framebuffer(ctx(), GL_READ_FRAMEBUFFER, 0);
+    EXPECT_EQ(red(3), 128);
+    EXPECT_EQ(red(4), 255);
+}
+
+TEST_F(MultisampleTest, CopiesToTexturesResolve) {
+    fill(1, 3.5f, 8);
+    const auto texel = [&](int x) {
+        std::array<GLubyte, 4 * kSize * kSize> texels{};
+        get_tex_image(ctx(), GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        return int{texels[static_cast<std::size_t>(4 * (5 * kSize + x))]};
+    };
+    for (const GLenum format : {GL_RGBA, GL_RGB, GL_LUMINANCE, GL_INTENSITY, GL_RGB5_A1}) {
+        copy_tex_image_2d(ctx(), GL_TEXTURE_2D, 0, format, 0, 0, kSize, kSize, 0);
+        EXPECT_EQ(texel(2), 0) << format;
+        EXPECT_NEAR(texel(3), 128, format == GL_RGB5_A1 ? 4 : 0) << format;
+        EXPECT_EQ(texel(4), 255) << format;
+    }
+    tex_image_2d(ctx(), GL_TEXTURE_2D, 0, GL_RGBA, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    copy_tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 1, 0, 0, 0, kSize - 1, kSize);
+    EXPECT_EQ(texel(4), 128);
+    EXPECT_EQ(texel(5), 255);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
+// GL 1.5 §4.3.2 leaves open which of the samples' depths and stencil values: the first one's, as in the
+// reference.
+TEST_F(MultisampleTest, DepthAndStencilOfWindowsAreRead) {
+    enable(ctx(), GL_DEPTH_TEST);
+    enable(ctx(), GL_STENCIL_TEST);
+    stencil_func(ctx(), GL_ALWAYS, 9, ~0u);
+    stencil_op(ctx(), GL_KEEP, GL_KEEP, GL_REPLACE);
+    fill(1, 4, 8, 0.5f);
+    const auto depth = [&](int x) {
+        GLfloat value = 0;
+        read_pixels(ctx(), x, 5, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &value);
+        return value;
+    };
+    const auto stencil = [&](int x) {
+        GLubyte value = 0;
+        read_pixels(ctx(), x, 5, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &value);
+        return int{value};
+    };
+    EXPECT_NEAR(depth(5), 0.25, 1e-6);
+    EXPECT_EQ(depth(9), 1);
+    EXPECT_EQ(stencil(5), 9);
+    EXPECT_EQ(stencil(9), 0);
+    copy_tex_image_2d(ctx(), GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 0, 0, kSize, kSize, 0);
+    std::array<GLfloat, kSize * kSize> texels{};
+    get_tex_image(ctx(), GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
+    EXPECT_NEAR(texels[5 * kSize + 5], 0.25, 1e-6);
+    EXPECT_EQ(texels[5 * kSize + 9], 1);
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
 // Objects take part of their attachments, or planes that another object has drawn to: marks of tiles that are
 // alike go with the planes.
 TEST_F(MultisampleTest, RenderbuffersKeepTheirSamplesBetweenObjects) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "attach_picture.h"
@@ -74,6 +75,163 @@ TEST_F(PixelRects, TexturesAreSampledAtTheCoordinatesOfTheRasterPosition) {
     const std::vector<GLubyte> gray(4 * 4, 128);
     glDrawPixels(4, 4, GL_LUMINANCE, GL_UNSIGNED_BYTE, gray.data());
     EXPECT_THAT(pixel(8, 8), ElementsAre(0, 128, 0, 255));
+}
+
+TEST_F(PixelRects, EveryUnitTexturesBitmapsAtItsCoordinates) {
+    const GLubyte texels[8] = {255, 0, 0, 255, 0, 255, 255, 255};
+    for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE1}) {
+        glActiveTexture(unit);
+        GLuint texture = 0;
+        glGenTextures(1, &texture);
+        glBindTexture(GL_TEXTURE_1D, texture);
+        glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+        glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, unit == GL_TEXTURE0 ? GL_REPLACE : GL_ADD);
+        glEnable(GL_TEXTURE_1D);
+    }
+    const auto draw = [](float first, float second) {
+        glMultiTexCoord1f(GL_TEXTURE0, first);
+        glMultiTexCoord1f(GL_TEXTURE1, second);
+        glRasterPos2f(0, 0);
+        glBitmap(4, 4, 0, 0, 0, 0, kAll);
+        return pixel(9, 9);
+    };
+    EXPECT_THAT(draw(0.25f, 0.25f), ElementsAre(255, 0, 0, 255));
+    EXPECT_THAT(draw(0.75f, 0.75f), ElementsAre(0, 255, 255, 255));
+    EXPECT_THAT(draw(0.25f, 0.75f), ElementsAre(255, 255, 255, 255));
+    glNewList(1, GL_COMPILE);
+    glBitmap(4, 4, 0, 0, 0, 0, kAll);
+    glEndList();
+    glMultiTexCoord1f(GL_TEXTURE0, 0.75f);
+    glMultiTexCoord1f(GL_TEXTURE1, 0.75f);
+    glRasterPos2f(0, 0);
+    glMultiTexCoord1f(GL_TEXTURE0, 0.25f);  // after the position: of no account
+    glCallList(1);
+    EXPECT_THAT(pixel(9, 9), ElementsAre(0, 255, 255, 255));
+}
+
+// Generated coordinates and the texture matrix belong to the raster position as well.
+TEST_F(PixelRects, TextureMatricesAndGeneratedCoordinatesReachBitmaps) {
+    const GLubyte texels[8] = {255, 0, 0, 255, 0, 255, 0, 255};
+    glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glEnable(GL_TEXTURE_1D);
+    glMatrixMode(GL_TEXTURE);
+    glTranslatef(0.5f, 0, 0);
+    glTexCoord1f(0.25f);
+    glRasterPos2f(0, 0);
+    glBitmap(4, 4, 0, 0, 0, 0, kAll);
+    EXPECT_THAT(pixel(9, 9), ElementsAre(0, 255, 0, 255));
+    glLoadIdentity();
+    const GLfloat plane[4] = {1, 0, 0, 0.25f};
+    glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+    glTexGenfv(GL_S, GL_OBJECT_PLANE, plane);
+    glEnable(GL_TEXTURE_GEN_S);
+    glRasterPos2f(0.5f, 0);
+    glBitmap(4, 4, 0, 0, 0, 0, kAll);
+    EXPECT_THAT(pixel(13, 9), ElementsAre(0, 255, 0, 255));
+    glRasterPos2f(0, 0);
+    glBitmap(4, 4, 0, 0, 0, 0, kAll);
+    EXPECT_THAT(pixel(9, 9), ElementsAre(255, 0, 0, 255));
+}
+
+// Colour indices become colours by the maps: in every type, shifted and offset before, masked to the size of
+// each map (GL 1.5 §3.6.4, §3.6.5).
+template <typename T>
+void draw_indices(GLenum type) {
+    const T indices[4] = {T{0}, T{1}, T{2}, T{3}};
+    glDrawPixels(4, 1, GL_COLOR_INDEX, type, indices);
+}
+
+TEST_F(PixelRects, ColorIndicesOfEveryTypeAreLookedUp) {
+    const GLfloat red[4] = {0, 1, 0, 1}, green[2] = {0, 1}, blue[4] = {0, 0, 1, 1}, alpha[1] = {1};
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 4, red);
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_G, 2, green);
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_B, 4, blue);
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_A, 1, alpha);
+    const std::pair<GLenum, void (*)(GLenum)> kinds[] = {
+        {GL_BYTE, draw_indices<GLbyte>},   {GL_UNSIGNED_BYTE, draw_indices<GLubyte>},
+        {GL_SHORT, draw_indices<GLshort>}, {GL_UNSIGNED_SHORT, draw_indices<GLushort>},
+        {GL_INT, draw_indices<GLint>},     {GL_UNSIGNED_INT, draw_indices<GLuint>},
+        {GL_FLOAT, draw_indices<GLfloat>}};
+    glRasterPos2f(-1, -1);
+    for (const auto& [type, draw] : kinds) {
+        glClear(GL_COLOR_BUFFER_BIT);
+        draw(type);
+        EXPECT_THAT(pixel(0, 0), ElementsAre(0, 0, 0, 255)) << type;
+        EXPECT_THAT(pixel(1, 0), ElementsAre(255, 255, 0, 255)) << type;
+        EXPECT_THAT(pixel(2, 0), ElementsAre(0, 0, 255, 255)) << type;
+        EXPECT_THAT(pixel(3, 0), ElementsAre(255, 255, 255, 255)) << type;
+        glPixelTransferi(GL_INDEX_SHIFT, 1);
+        glPixelTransferi(GL_INDEX_OFFSET, 1);  // 1, 3, 5, 7
+        draw(type);
+        EXPECT_THAT(pixel(0, 0), ElementsAre(255, 255, 0, 255)) << type;
+        EXPECT_THAT(pixel(1, 0), ElementsAre(255, 255, 255, 255)) << type;
+        EXPECT_THAT(pixel(2, 0), ElementsAre(255, 255, 0, 255)) << type;
+        glPixelTransferi(GL_INDEX_SHIFT, -1);
+        glPixelTransferi(GL_INDEX_OFFSET, 0);  // 0, 0, 1, 1
+        draw(type);
+        EXPECT_THAT(pixel(1, 0), ElementsAre(0, 0, 0, 255)) << type;
+        EXPECT_THAT(pixel(2, 0), ElementsAre(255, 255, 0, 255)) << type;
+        glPixelTransferi(GL_INDEX_SHIFT, 0);
+    }
+    EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR});
+}
+
+// GL_MAP_COLOR maps indices to indices only where indices are stored; scale and bias are of colours that came
+// as such.
+TEST_F(PixelRects, ColorIndicesAreNeitherScaledNorMappedAgain) {
+    const GLfloat red[2] = {0.25f, 0.5f}, to_one[2] = {1, 1};
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 2, red);
+    glPixelMapfv(GL_PIXEL_MAP_R_TO_R, 2, to_one);
+    glPixelTransferf(GL_RED_SCALE, 0);
+    glPixelTransferf(GL_RED_BIAS, 1);
+    glPixelTransferi(GL_MAP_COLOR, 1);
+    glRasterPos2f(-1, -1);
+    draw_indices<GLubyte>(GL_UNSIGNED_BYTE);
+    glPixelTransferf(GL_RED_SCALE, 1);
+    glPixelTransferf(GL_RED_BIAS, 0);
+    glPixelTransferi(GL_MAP_COLOR, 0);
+    EXPECT_EQ(pixel(0, 0)[0], 64);
+    EXPECT_EQ(pixel(1, 0)[0], 128);
+}
+
+TEST_F(PixelRects, BitmapsOfColorIndicesAreLookedUp) {
+    const GLfloat red[2] = {0.25f, 1}, green[2] = {1, 0};
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 2, red);
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_G, 2, green);
+    const GLubyte bits[4] = {0b10100000, 0b10000000, 0b01000000, 0};  // two rows of 9
+    glRasterPos2f(-1, -1);
+    glDrawPixels(9, 2, GL_COLOR_INDEX, GL_BITMAP, bits);
+    const Pixel set{255, 0, 0, 0}, clear{64, 255, 0, 0};
+    EXPECT_EQ(pixel(0, 0), set);
+    EXPECT_EQ(pixel(1, 0), clear);
+    EXPECT_EQ(pixel(2, 0), set);
+    EXPECT_EQ(pixel(8, 0), set);
+    EXPECT_EQ(pixel(1, 1), set);
+    EXPECT_EQ(pixel(8, 1), clear);
+    glPixelStorei(GL_UNPACK_LSB_FIRST, 1);
+    glDrawPixels(9, 2, GL_COLOR_INDEX, GL_BITMAP, bits);
+    EXPECT_EQ(pixel(0, 0), clear);
+    EXPECT_EQ(pixel(5, 0), set);
+    EXPECT_EQ(pixel(7, 0), set);
+    EXPECT_EQ(pixel(8, 0), clear);
+    EXPECT_EQ(pixel(6, 1), set);
+}
+
+// In lists the maps count as they are when the list is called.
+TEST_F(PixelRects, ColorIndicesInListsAreLookedUpByTheCall) {
+    const GLubyte index = 1;
+    glNewList(1, GL_COMPILE);
+    glDrawPixels(1, 1, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, &index);
+    glEndList();
+    const GLfloat red[2] = {0, 1};
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 2, red);
+    glRasterPos2f(-1, -1);
+    glCallList(1);
+    EXPECT_EQ(pixel(0, 0)[0], 255);
 }
 
 TEST_F(PixelRects, EveryColorMapIsUsed) {
