@@ -255,7 +255,18 @@ TEST_F(DrawableTest, OtherDrawablesAndNone) {
     attach_drawables(*context, other, window);  // draws what is queued for the first window
     clear_to(kGreen);
     EXPECT_EQ(read(GL_BACK), kRed);
+    const auto status = [](GLenum target) { return glCheckFramebufferStatus(target); };
+    EXPECT_EQ(status(GL_DRAW_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+    attach_drawables(*context, other, nullptr);
+    EXPECT_EQ(status(GL_DRAW_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+    EXPECT_EQ(status(GL_READ_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_UNDEFINED});
     attach_drawables(*context, nullptr, nullptr);
+    EXPECT_EQ(status(GL_DRAW_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_UNDEFINED});
+    EXPECT_EQ(status(GL_READ_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_UNDEFINED});
+    glBindFramebuffer(GL_FRAMEBUFFER, 9);
+    EXPECT_EQ(status(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT});
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     clear_to(kBlue);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     read(GL_BACK);

@@ -319,6 +319,69 @@ TEST_F(StateErrors, BothBlendEquationsAreChecked) {
     EXPECT_EQ(integer(GL_BLEND_EQUATION_ALPHA), GL_MAX);
 }
 
+// Every command that draws, clears, copies or reads (ARB_framebuffer_object §4.4.4.3), at once and in a list.
+TEST_F(StateErrors, AnIncompleteFrameBufferIsRefused) {
+    static const GLfloat corners[] = {0, 0, 1, 0, 0, 1};
+    static const GLubyte indices[] = {0, 1, 2};
+    static const GLint firsts[] = {0};
+    static const GLsizei counts[] = {3};
+    static const void* const offsets[] = {indices};
+    static GLubyte pixels[4 * 4 * 4];
+    const BadCall calls[] = {
+        {"Begin", 0, [](auto& g) { g.Begin(GL_POINTS), g.Vertex2f(0, 0), g.End(); }},
+        {"Rectf", 0, [](auto& g) { g.Rectf(0, 0, 1, 1); }},
+        {"EvalMesh1", 0, [](auto& g) { g.EvalMesh1(GL_LINE, 0, 1); }},
+        {"EvalMesh2", 0, [](auto& g) { g.EvalMesh2(GL_FILL, 0, 1, 0, 1); }},
+        {"DrawArrays", 0, [](auto& g) { g.DrawArrays(GL_TRIANGLES, 0, 3); }},
+        {"DrawElements", 0, [](auto& g) { g.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices); }},
+        {"DrawRangeElements", 0,
+         [](auto& g) { g.DrawRangeElements(GL_TRIANGLES, 0, 2, 3, GL_UNSIGNED_BYTE, indices); }},
+        {"MultiDrawArrays", 0, [](auto& g) { g.MultiDrawArrays(GL_TRIANGLES, firsts, counts, 1); }},
+        {"MultiDrawElements", 0,
+         [](auto& g) { g.MultiDrawElements(GL_TRIANGLES, counts, GL_UNSIGNED_BYTE, offsets, 1); }},
+        {"DrawPixels", 0, [](auto& g) { g.DrawPixels(2, 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels); }},
+        {"CopyPixels", 0, [](auto& g) { g.CopyPixels(0, 0, 2, 2, GL_COLOR); }},
+        {"Bitmap", 0, [](auto& g) { g.Bitmap(8, 2, 0, 0, 0, 0, pixels); }},
+        {"Clear", 0, [](auto& g) { g.Clear(GL_COLOR_BUFFER_BIT); }},
+        {"CopyTexImage1D", 0, [](auto& g) { g.CopyTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 0, 0, 2, 0); }},
+        {"CopyTexImage2D", 0, [](auto& g) { g.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 2, 2, 0); }},
+        {"CopyTexSubImage1D", 0, [](auto& g) { g.CopyTexSubImage1D(GL_TEXTURE_1D, 0, 0, 0, 0, 1); }},
+        {"CopyTexSubImage2D", 0, [](auto& g) { g.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 1, 1); }},
+        {"CopyTexSubImage3D", 0, [](auto& g) { g.CopyTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, 0, 0, 1, 1); }},
+        {"BlitFramebuffer", 0,
+         [](auto& g) { g.BlitFramebuffer(0, 0, 1, 1, 0, 0, 1, 1, GL_COLOR_BUFFER_BIT, GL_NEAREST); }},
+        {"ReadPixels", 1, [](auto& g) { g.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels); }},
+    };  // the number: the command is never part of a list
+    gl.TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    gl.TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA, 2, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    const GLfloat points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    gl.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, points);
+    gl.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 2, points);
+    gl.Enable(GL_MAP1_VERTEX_3);
+    gl.Enable(GL_MAP2_VERTEX_3);
+    gl.VertexPointer(2, GL_FLOAT, 0, corners);
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 1);  // to which nothing is attached
+    ASSERT_EQ(take_error(), GLenum{GL_NO_ERROR});
+    for (const BadCall& bad : calls) {
+        bad.call(gl);
+        EXPECT_EQ(take_error(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION}) << bad.text;
+        if (bad.error) continue;
+        gl.NewList(1, GL_COMPILE);
+        bad.call(gl);
+        gl.EndList();
+        EXPECT_EQ(take_error(), GLenum{GL_NO_ERROR}) << bad.text << " while it is compiled";
+        gl.CallList(1);
+        EXPECT_EQ(take_error(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION}) << bad.text << " in a list";
+    }
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    for (const BadCall& call : calls) {
+        call.call(gl);
+        EXPECT_NE(take_error(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION}) << call.text << " to the window";
+    }
+}
+
 TEST_F(StateErrors, NothingToNameOrForgetIsNoError) {
     gl.GenTextures(0, nullptr);
     gl.DeleteTextures(0, nullptr);
