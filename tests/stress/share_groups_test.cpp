@@ -46,8 +46,9 @@ std::uint64_t seed_of_run() {
 // A context of its own, current in the calling thread, with a small picture.
 class CurrentContext {
   public:
-    explicit CurrentContext(Context* partner) : m_context(create_context(Config{}, partner)) {
-        attach_picture(*m_context, kSize, kSize);
+    explicit CurrentContext(Context* partner, int size = kSize)
+        : m_context(create_context(Config{}, partner)) {
+        attach_picture(*m_context, size, size);
         make_current(m_context.get());
     }
     ~CurrentContext() { make_current(nullptr); }
@@ -57,6 +58,46 @@ class CurrentContext {
   private:
     std::unique_ptr<Context> m_context;
 };
+
+template <typename Value>
+bool all_alike(const std::vector<Value>& values) {
+    return std::all_of(values.begin(), values.end(), [&](Value v) { return v == values.front(); });
+}
+
+std::vector<GLubyte> read_picture(int size = kSize) {
+    std::vector<GLubyte> pixels(static_cast<std::size_t>(4 * size * size));
+    glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    return pixels;
+}
+
+void draw_square() {
+    glBegin(GL_QUADS);
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        glTexCoord2i(x, y);
+        glVertex2i(2 * x - 1, 2 * y - 1);
+    }
+    glEnd();
+}
+
+// Contexts that share nothing but the worker threads, which the first drawing starts. This comes first in the
+// process, before any other has drawn.
+TEST(WorkerThreads, AreStartedByContextsOfSeveralThreads) {
+    constexpr int kLarge = 512, kThreads = 4;
+    std::atomic<int> waiting = kThreads;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < kThreads; ++i) {
+        threads.emplace_back([&] {
+            const CurrentContext current(nullptr, kLarge);
+            --waiting;
+            while (waiting != 0) std::this_thread::yield();
+            glClearColor(1, 1, 1, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+            draw_square();
+            EXPECT_TRUE(all_alike(read_picture(kLarge)));
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+}
 
 class ShareGroups : public testing::Test {
   protected:
@@ -83,26 +124,6 @@ class ShareGroups : public testing::Test {
 
     std::unique_ptr<Context> m_partner;
 };
-
-template <typename Value>
-bool all_alike(const std::vector<Value>& values) {
-    return std::all_of(values.begin(), values.end(), [&](Value v) { return v == values.front(); });
-}
-
-std::vector<GLubyte> read_picture(int size = kSize) {
-    std::vector<GLubyte> pixels(static_cast<std::size_t>(4 * size * size));
-    glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    return pixels;
-}
-
-void draw_square() {
-    glBegin(GL_QUADS);
-    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-        glTexCoord2i(x, y);
-        glVertex2i(2 * x - 1, 2 * y - 1);
-    }
-    glEnd();
-}
 
 TEST_F(ShareGroups, BuffersGetNewStores) {
     constexpr GLuint kBytes = 1, kVertices = 2;
