@@ -8,7 +8,7 @@ packages_tests="libosmesa6-dev libgtest-dev libgmock-dev nlohmann-json3-dev libo
   libbenchmark-dev libtinygltf-dev libstb-dev libglfw3-dev libsdl2-dev assimp-testmodels xvfb python3-opengl
   python3-pyglet mesa-utils apitrace python3-numpy python3-pil xfonts-base libgl1-mesa-dri"
 packages_programs="gltron neverball chromium-bsu billard-gl armagetronad foobillardplus openscenegraph xscreensaver-gl
-  xscreensaver-gl-extra rss-glx libirrlicht-dev"
+  xscreensaver-gl-extra rss-glx libirrlicht-dev python3-venv"
 packages_piglit="piglit"
 packages_clang="clang"
 packages_arm="g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user"
