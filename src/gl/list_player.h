@@ -1,10 +1,9 @@
 // What the generated player (play_record) is made of.
 #pragma once
 
-#include <utility>
-
 #include "gl/context.h"
 #include "gl/list_record.h"
+#include "gl/tight_unpack.h"  // images in lists are laid out in the default way
 
 namespace terrazzo::gl {
 
@@ -23,19 +22,5 @@ template <typename Pointer, typename Record>
 Pointer behind(const Record& record, std::uint32_t offset) {
     return offset ? reinterpret_cast<Pointer>(reinterpret_cast<const std::byte*>(&record) + offset) : nullptr;
 }
-
-// Images in lists are laid out in the default way, whatever the client's pixel store modes are by now.
-class TightUnpack {
-  public:
-    explicit TightUnpack(Context& ctx)
-        : m_ctx(ctx), m_modes(std::exchange(ctx.pixels.unpack, PixelStore{})) {}
-    ~TightUnpack() { m_ctx.pixels.unpack = m_modes; }
-    TightUnpack(const TightUnpack&) = delete;
-    TightUnpack& operator=(const TightUnpack&) = delete;
-
-  private:
-    Context& m_ctx;
-    PixelStore m_modes;
-};
 
 }  // namespace terrazzo::gl

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "gl/context.h"
+#include "gl/tight_unpack.h"
 
 namespace terrazzo::glx {
 
@@ -12,21 +12,14 @@ namespace terrazzo::glx {
 class OwnPixels {
   public:
     explicit OwnPixels(gl::Context& ctx)
-        : m_pixels(ctx.pixels),
-          m_unpack(std::exchange(ctx.pixels.unpack, {})),
-          m_transfer(std::exchange(ctx.pixels.mode.transfer, {})) {
-        m_pixels.unpack.alignment = 1;
-    }
-    ~OwnPixels() {
-        m_pixels.unpack = std::move(m_unpack);
-        m_pixels.mode.transfer = m_transfer;
-    }
+        : m_pixels(ctx.pixels), m_unpack(ctx, 1), m_transfer(std::exchange(ctx.pixels.mode.transfer, {})) {}
+    ~OwnPixels() { m_pixels.mode.transfer = m_transfer; }
     OwnPixels(const OwnPixels&) = delete;
     OwnPixels& operator=(const OwnPixels&) = delete;
 
   private:
     gl::PixelState& m_pixels;
-    gl::PixelStore m_unpack;
+    gl::TightUnpack m_unpack;
     gl::PixelTransfer m_transfer;
 };
 
