@@ -219,7 +219,9 @@ TEST_F(SharedWindow, ADisplayIsClosedUnderADestroyedPixmapThatIsCurrent) {
     XCloseDisplay(other);
     glFinish();
     // libglvnd takes a context away with its display.
-    if (glGetString(GL_VERSION)) EXPECT_EQ(read(1, 1), kRed);
+    if (glGetString(GL_VERSION)) {
+        EXPECT_EQ(read(1, 1), kRed);
+    }
     EXPECT_TRUE(glXMakeCurrent(x, 0, nullptr));
 }
 
