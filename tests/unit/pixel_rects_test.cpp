@@ -77,6 +77,28 @@ TEST_F(PixelRects, TexturesAreSampledAtTheCoordinatesOfTheRasterPosition) {
     EXPECT_THAT(pixel(8, 8), ElementsAre(0, 128, 0, 255));
 }
 
+// Nothing but the raster position changes from bitmap to bitmap.
+TEST_F(PixelRects, CoordinatesOfBitmapsMayProjectOrNot) {
+    const GLubyte texels[4][4] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 0, 255}};
+    glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glEnable(GL_TEXTURE_1D);
+    const auto expect_texel = [&](GLfloat s, GLfloat q, int texel) {
+        glTexCoord4f(s, 0, 0, q);
+        glRasterPos2f(0, 0);
+        glBitmap(4, 4, 0, 0, 0, 0, kAll);
+        EXPECT_THAT(pixel(9, 9), testing::ElementsAreArray(texels[texel])) << s << " / " << q;
+    };
+    for (int round = 0; round < 2; ++round) {
+        expect_texel(0.6f, 1, 2);
+        expect_texel(0.6f, 2, 1);
+        expect_texel(0.6f, 4, 0);
+        expect_texel(0.9f, 1, 3);
+    }
+}
+
 TEST_F(PixelRects, EveryUnitTexturesBitmapsAtItsCoordinates) {
     const GLubyte texels[8] = {255, 0, 0, 255, 0, 255, 255, 255};
     for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE1}) {
