@@ -96,6 +96,26 @@ class OsmesaLayouts : public testing::TestWithParam<std::tuple<Layout, Rows>> {
         return out;
     }
 
+    template <typename Number>
+    static void expect_read(GLenum type, Number one) {
+        const bool has_alpha = layout().format != OSMESA_RGB && layout().format != OSMESA_RGB_565;
+        std::vector<std::array<Number, 4>> all(std::size_t{kWidth} * kHeight);
+        glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, type, all.data());
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const auto color = color_of(x, y);
+                std::array<Number, 4> wanted{}, single{};
+                for (std::size_t c = 0; c < 4; ++c)
+                    wanted[c] = color[c] || (c == 3 && !has_alpha) ? one : Number{0};
+                ASSERT_EQ(all[static_cast<std::size_t>(y * kWidth + x)], wanted) << x << ", " << y;
+                if (y % 13 != 0) continue;
+                glReadPixels(x, y, 1, 1, GL_RGBA, type, single.data());
+                ASSERT_EQ(single, wanted) << x << ", " << y;
+            }
+        }
+    }
+
     OSMesaContext m_context;
 };
 
@@ -121,15 +141,10 @@ TEST_P(OsmesaLayouts, HaveEachComponentInItsPlace) {
             ASSERT_EQ(line[b], 0xcd) << "behind row " << row;
     }
     for (std::size_t b = stride * kHeight; b < memory.size(); ++b) ASSERT_EQ(memory[b], 0xcd);
-    // What is read back is what was drawn, whatever the client's memory is like.
-    for (const int x : {0, 1, 40, kWidth - 1}) {
-        std::array<GLubyte, 4> rgba{};
-        glReadPixels(x, 13, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-        const auto color = color_of(x, 13);
-        for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(rgba[c], color[c] * 255);
-        const bool has_alpha = layout().format != OSMESA_RGB && layout().format != OSMESA_RGB_565;
-        EXPECT_EQ(rgba[3], has_alpha ? color[3] * 255 : 255);
-    }
+    // What is read back is what was drawn, whatever the client's memory is like: at once, and one by one.
+    expect_read<GLubyte>(GL_UNSIGNED_BYTE, 255);
+    expect_read<GLushort>(GL_UNSIGNED_SHORT, 65535);
+    expect_read<GLfloat>(GL_FLOAT, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OsmesaLayouts,
