@@ -146,7 +146,9 @@ TextureGroup save_textures(Context& ctx) {
     return group;
 }
 
-// A texture object that was deleted meanwhile stays deleted: the default texture takes its place.
+// A texture object that was deleted meanwhile stays deleted: the default texture takes its place. So it is
+// with objects of another share group, which glXCopyContext may come with; of default textures each group has
+// its own.
 void restore_textures(Context& ctx, const TextureGroup& group) {
     ctx.texture.active_unit = group.active_unit;
     ctx.texture.units = group.units;
@@ -156,12 +158,9 @@ void restore_textures(Context& ctx, const TextureGroup& group) {
         for (int target = 0; target < kTextureTargetCount; ++target) {
             std::shared_ptr<TextureObject>& bound = ctx.texture.units[unit].bound[target];
             const auto named = names.objects.find(bound->name);
-            const bool deleted = bound->name != 0 && (named == names.objects.end() || named->second != bound);
-            if (deleted) {
-                bound = names.defaults[target];
-            } else {
-                bound->parameters = group.parameters[unit][target];
-            }
+            const bool lives = bound->name == 0 || (named != names.objects.end() && named->second == bound);
+            if (bound->name == 0 || !lives) bound = names.defaults[target];
+            if (lives) bound->parameters = group.parameters[unit][target];
         }
     }
 }

@@ -6,7 +6,9 @@
 #include <array>
 #include <vector>
 
+#include "gl/attrib.h"
 #include "gl/generated/commands.h"
+#include "gl/share.h"
 #include "gl_fixture.h"
 
 namespace terrazzo::gl {
@@ -46,6 +48,26 @@ TEST_F(TextureTest, NamesBecomeTexturesWhenBound) {
     EXPECT_EQ(is_texture(ctx(), 0), GL_FALSE);
     bind_texture(ctx(), GL_TEXTURE_2D, names[0]);
     EXPECT_EQ(take_error(), GLenum{GL_INVALID_OPERATION});
+}
+
+// What glXCopyContext does: the parameters come along, the objects of another share group do not.
+TEST_F(TextureTest, CopiedAttributesLeaveTexturesInTheirGroup) {
+    const auto stranger = create_context(Config{}, nullptr), sharer = create_context(Config{}, &ctx());
+    set(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    copy_attributes(ctx(), *stranger, GL_TEXTURE_BIT);
+    copy_attributes(ctx(), *sharer, GL_TEXTURE_BIT);
+    const TextureObject* const mine = bound_texture(ctx(), GL_TEXTURE_2D);
+    EXPECT_EQ(bound_texture(*sharer, GL_TEXTURE_2D), mine);
+    EXPECT_NE(bound_texture(*stranger, GL_TEXTURE_2D), mine);
+    EXPECT_EQ(bound_texture(*stranger, GL_TEXTURE_2D)->parameters.min_filter, GLenum{GL_NEAREST});
+    const TextureObject& named = make_texture();
+    copy_attributes(ctx(), *stranger, GL_TEXTURE_BIT);
+    copy_attributes(ctx(), *sharer, GL_TEXTURE_BIT);
+    EXPECT_EQ(bound_texture(*sharer, GL_TEXTURE_2D), &named);
+    EXPECT_EQ(bound_texture(*stranger, GL_TEXTURE_2D)->name, 0u);
+    for (const TextureUnit& unit : stranger->texture.units)
+        for (int target = 0; target < kTextureTargetCount; ++target)
+            EXPECT_EQ(unit.bound[target], stranger->shared->textures.defaults[target]);
 }
 
 TEST_F(TextureTest, NamesNeedNotBeGenerated) {
