@@ -44,11 +44,12 @@ std::vector<float> triangles(int count) {
     return positions;
 }
 
+// A small one: what counts is what waits with it.
 void draw_triangle(const kit::Gl& gl) {
     gl.Begin(GL_TRIANGLES);
-    gl.Vertex2f(-0.5f, -0.5f);
-    gl.Vertex2f(0.5f, -0.5f);
-    gl.Vertex2f(0, 0.5f);
+    gl.Vertex2f(-0.02f, -0.02f);
+    gl.Vertex2f(0.02f, -0.02f);
+    gl.Vertex2f(0, 0.02f);
     gl.End();
 }
 
