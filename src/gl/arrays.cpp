@@ -281,7 +281,6 @@ Rule check_multi_draw(GLenum mode, const GLsizei* count, GLsizei drawcount, GLen
 
 pipeline::AttributeMask find_fourth_ones(const pipeline::VertexInput& input,
                                          const pipeline::VertexRange& range) {
-    using pipeline::ComponentType;
     pipeline::AttributeMask ones = 0;
     for (int attribute = 0; attribute < pipeline::kAttributeCount; ++attribute) {
         if (!(input.streamed & pipeline::kHomogeneous & pipeline::bit(attribute))) continue;

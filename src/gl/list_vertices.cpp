@@ -114,7 +114,8 @@ void ListVertices::end(DisplayList& list) {
         list.append<EndRecord>();
         return;
     }
-    add_run(m_runs, {m_mode, m_open_first, m_count - m_open_first, false, false, m_fourth});
+    add_run(m_runs,
+            {.mode = m_mode, .first = m_open_first, .count = m_count - m_open_first, .fourth = m_fourth});
     m_open = false;
 }
 

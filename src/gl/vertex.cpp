@@ -165,7 +165,7 @@ void draw_whole_pieces(Context& ctx) {
     std::copy_n(batch.next - floats, floats, batch.data.data());
     batch.count = rest;
     batch.failures = 0;
-    add_run(batch.runs, {GL_QUADS, 0, rest, false, false, fourth});  // there is room for one
+    add_run(batch.runs, {.mode = GL_QUADS, .first = 0, .count = rest, .fourth = fourth});  // there is room
     set_layout(ctx.vertex);
 }
 
