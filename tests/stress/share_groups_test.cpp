@@ -12,17 +12,15 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <memory>
-#include <random>
 #include <thread>
 #include <vector>
 
 #include "attach_picture.h"
 #include "gl/context.h"
 #include "random.h"
+#include "seed_of_run.h"
 
 namespace terrazzo::gl {
 namespace {
@@ -31,17 +29,7 @@ constexpr int kSize = 16;
 constexpr int kRounds = 2000;
 
 using stress::Random;
-
-// A new seed each time, or the one of TERRAZZO_SHARE_SEED.
-std::uint64_t seed_of_run() {
-    static const std::uint64_t seed = [] {
-        const char* const wanted = std::getenv("TERRAZZO_SHARE_SEED");
-        const std::uint64_t chosen = wanted ? std::strtoull(wanted, nullptr, 10) : std::random_device()();
-        std::cout << "TERRAZZO_SHARE_SEED=" << chosen << '\n';
-        return chosen;
-    }();
-    return seed;
-}
+using stress::seed_of_run;
 
 // A context of its own, current in the calling thread, with a small picture.
 class CurrentContext {

@@ -13,35 +13,23 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <memory>
-#include <random>
 #include <thread>
 #include <vector>
 
 #include "gl/context.h"
 #include "random.h"
+#include "seed_of_run.h"
 
 namespace terrazzo::gl {
 namespace {
 
 using stress::Random;
+using stress::seed_of_run;
 
 constexpr int kRounds = 80;
 constexpr int kLargest = 150;  // three bins
-
-// A new seed each time, or the one of TERRAZZO_SHARE_SEED.
-std::uint64_t seed_of_run() {
-    static const std::uint64_t seed = [] {
-        const char* const wanted = std::getenv("TERRAZZO_SHARE_SEED");
-        const std::uint64_t chosen = wanted ? std::strtoull(wanted, nullptr, 10) : std::random_device()();
-        std::cout << "TERRAZZO_SHARE_SEED=" << chosen << '\n';
-        return chosen;
-    }();
-    return seed;
-}
 
 // A window as front ends make them: it follows a size that somebody else has set.
 class Window : public Drawable {
