@@ -46,6 +46,51 @@ SCENE(array_vertex_types, "vertex arrays of 2, 3 and 4 shorts, ints, floats and 
     });
 }
 
+// One vertex alone decides whether positions are divided and coordinates project; it is not the first one.
+SCENE(array_fourth_components,
+      "w and q that differ from 1 in one vertex: four types, in order, by index, in lists") {
+    gl.MatrixMode(GL_PROJECTION);
+    gl.Ortho(0, 256, 0, 256, -1, 1);
+    gl.MatrixMode(GL_MODELVIEW);
+    painted_texture(gl, 64, 64, GL_NEAREST, GL_NEAREST);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    gl.Enable(GL_TEXTURE_2D);
+    const float colors[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+    gl.ColorPointer(3, GL_FLOAT, 0, colors);
+    for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+        gl.EnableClientState(array);
+    for_cells(4, 4, [&](int cell, float x, float y, float w, float h) {
+        const auto draw = [&](auto number, GLenum type) {
+            using T = decltype(number);
+            std::vector<T> positions, coordinates;
+            for (int i = 0; i < 4; ++i) {
+                // Rows of cells: neither, w, q, and both are other than 1 in the third vertex.
+                const int row = cell / 4, w4 = i == 2 && row & 1 ? 2 : 1, q = i == 2 && row & 2 ? 3 : 1;
+                const double px = x + 4 + (i & 1) * (w - 8), py = y + 4 + (i >> 1) * (h - 8);
+                for (const double value : {px * w4, py * w4, 0.0, 1.0 * w4})
+                    positions.push_back(static_cast<T>(value));
+                for (const int value : {(i & 1) * q, (i >> 1) * q, 0, q})
+                    coordinates.push_back(static_cast<T>(value));
+            }
+            const GLubyte order[] = {0, 1, 2, 1, 2, 3};
+            gl.VertexPointer(4, type, 0, positions.data());
+            gl.TexCoordPointer(4, type, 0, coordinates.data());
+            const bool in_list = (cell + cell / 4) % 2 != 0;
+            if (in_list) gl.NewList(1, GL_COMPILE);
+            if (cell % 2) {
+                gl.DrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, order);
+            } else {
+                gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+            }
+            if (in_list) gl.EndList(), gl.CallList(1);
+        };
+        if (cell % 4 == 0) draw(GLshort{}, GL_SHORT);
+        if (cell % 4 == 1) draw(GLint{}, GL_INT);
+        if (cell % 4 == 2) draw(GLfloat{}, GL_FLOAT);
+        if (cell % 4 == 3) draw(GLdouble{}, GL_DOUBLE);
+    });
+}
+
 SCENE(array_colour_types, "colour arrays of three and four components in all eight types") {
     pixel_projection(gl);
     const auto ramp = [](auto top, int size) {
