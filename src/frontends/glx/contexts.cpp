@@ -175,10 +175,9 @@ void glXCopyContext(Display* display, GLXContext source, GLXContext destination,
     const auto from = registry().context(source), to = registry().context(destination);
     if (!from || !to) return glx::send_error(display, GLXBadContext, true, 0, X_GLXCopyContext);
     // Neither of the two becomes current elsewhere while one is copied.
-    const window::Reservation taken(*to);
-    std::optional<window::Reservation> read;
-    if (from != glx::current_context() && from != to) read.emplace(*from);
-    if (!taken || (read && !*read)) return glx::send_error(display, BadAccess, false, 0, X_GLXCopyContext);
+    const bool is_reachable = from != glx::current_context() && from != to;
+    const window::Reservation reserved(*to, is_reachable ? from.get() : nullptr);
+    if (!reserved) return glx::send_error(display, BadAccess, false, 0, X_GLXCopyContext);
     if (from->display != to->display || from->screen != to->screen)
         return glx::send_error(display, BadMatch, false, 0, X_GLXCopyContext);
     gl::copy_attributes(*from->gl, *to->gl, static_cast<GLbitfield>(mask));

@@ -8,6 +8,12 @@
 namespace terrazzo::window {
 namespace {
 
+std::mutex reserving;  // held by the one Reservation that lives
+
+bool take(Context& context) {
+    return !context.is_current.exchange(true);
+}
+
 void let_go(Binding& binding) {
     if (!binding.context) return;
     gl::make_current(nullptr);
@@ -25,6 +31,16 @@ thread_local ThreadBinding this_thread;
 
 }  // namespace
 
+Reservation::Reservation(Context& one, Context* other)
+    : m_lock(reserving),
+      m_taken{take(one) ? &one : nullptr, other && take(*other) ? other : nullptr},
+      m_is_whole(m_taken[0] && m_taken[1] == other) {}
+
+Reservation::~Reservation() {
+    for (Context* context : m_taken)
+        if (context) context->is_current = false;
+}
+
 const Binding& current_binding() {
     return this_thread.binding;
 }
@@ -32,7 +48,10 @@ const Binding& current_binding() {
 bool make_current(const Binding& wanted) {
     Binding& now = this_thread.binding;
     const bool same_context = now.context == wanted.context;
-    if (!same_context && wanted.context && wanted.context->is_current.exchange(true)) return false;
+    if (!same_context && wanted.context && !take(*wanted.context)) {
+        const std::lock_guard lock(reserving);  // it may only have been reserved
+        if (!take(*wanted.context)) return false;
+    }
     try {
         if (now.context && (!same_context || now.draw != wanted.draw)) gl::present_window(*now.context->gl);
         if (now.context && !same_context) gl::finish_drawing(*now.context->gl);

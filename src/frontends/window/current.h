@@ -5,8 +5,10 @@
 // it ends.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <memory>
+#include <mutex>
 
 #include "gl/context.h"
 
@@ -24,21 +26,21 @@ struct Context {
     std::atomic<bool> is_current = false;  // in some thread, or set aside by one
 };
 
-// Takes a context out of all threads' reach while it lives, unless some thread has it current.
+// Takes one context or two out of all threads' reach while it lives, unless some thread has one of them
+// current. Reservations wait for each other, and make_current for them: who only copies a context refuses it
+// to nobody.
 class Reservation {
   public:
-    explicit Reservation(Context& context)
-        : m_context(context), m_is_taken(!context.is_current.exchange(true)) {}
-    ~Reservation() {
-        if (m_is_taken) m_context.is_current = false;
-    }
+    explicit Reservation(Context& one, Context* other = nullptr);
+    ~Reservation();
     Reservation(const Reservation&) = delete;
     Reservation& operator=(const Reservation&) = delete;
-    explicit operator bool() const { return m_is_taken; }
+    explicit operator bool() const { return m_is_whole; }
 
   private:
-    Context& m_context;
-    bool m_is_taken;
+    const std::lock_guard<std::mutex> m_lock;
+    std::array<Context*, 2> m_taken = {};
+    bool m_is_whole;
 };
 
 struct Binding {
