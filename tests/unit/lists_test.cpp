@@ -1,5 +1,6 @@
 // Display lists (GL 1.5 §5.4): what is recorded, what is carried out at once, and the errors.
 #include <GL/gl.h>
+#include <sys/mman.h>
 
 #include <array>
 #include <map>
@@ -443,6 +444,25 @@ TEST_F(ListTest, LongListsAreWhole) {
 
 // GL leaves them indeterminate; the reference leaves them alone, and programs draw with what was there
 // before.
+// The names are read from memory that takes none: all of it is one page of zeros. Where 32 bits are an
+// address there is no room for them.
+TEST_F(ListTest, CommandsOfFourGigabytesAreRefused) {
+    if (sizeof(std::size_t) < 8) GTEST_SKIP();
+    constexpr GLsizei kNames = 1 << 30;
+    constexpr std::size_t kBytes = 4ull * kNames;
+    void* const names = mmap(nullptr, kBytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (names == MAP_FAILED) GTEST_SKIP() << "no addresses for it";
+    glNewList(1, GL_COMPILE);
+    glClearStencil(3);
+    glCallLists(kNames, GL_UNSIGNED_INT, names);
+    expect_error(GL_OUT_OF_MEMORY);
+    glEndList();
+    munmap(names, kBytes);
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 0);  // a list that has a gap is none
+    make_list(1, 5);
+    EXPECT_EQ(mark_after([] { glCallList(1); }), 5);
+}
+
 TEST_F(ListTest, ArraysInListsLeaveTheCurrentValues) {
     const GLfloat vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const GLfloat normals[] = {1, 0, 0, 1, 0, 0, 1, 0, 0};
