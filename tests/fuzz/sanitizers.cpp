@@ -1,5 +1,6 @@
 // Settings of the sanitizers, and operators new that fail as they do elsewhere: theirs end the process. The
-// library takes the program's operators, for they come first.
+// library takes the program's operators, for they come first: all forms of them, so that what one gives
+// another takes.
 #include <cstdlib>
 #include <new>
 
@@ -30,6 +31,26 @@ void* operator new(std::size_t bytes, std::align_val_t alignment) {
 }
 void* operator new[](std::size_t bytes, std::align_val_t alignment) {
     return allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept try {
+    return operator new(bytes);
+} catch (const std::bad_alloc&) {
+    return nullptr;
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept try {
+    return operator new[](bytes);
+} catch (const std::bad_alloc&) {
+    return nullptr;
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept try {
+    return operator new(bytes, alignment);
+} catch (const std::bad_alloc&) {
+    return nullptr;
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept try {
+    return operator new[](bytes, alignment);
+} catch (const std::bad_alloc&) {
+    return nullptr;
 }
 void operator delete(void* memory) noexcept {
     std::free(memory);
