@@ -47,6 +47,13 @@ std::shared_ptr<TextureObject> object_to_bind(TextureNames& names, GLuint name, 
     return names.objects[name] = make_object(name, kTargets[target]);
 }
 
+// Null where there is none.
+std::shared_ptr<TextureObject> object_named(const TextureNames& names, GLuint name) {
+    const auto found = names.objects.find(name);
+    return found == names.objects.end() ? nullptr : found->second;
+}
+
+// The same for as long as the names stay locked.
 TextureObject* find_object(TextureNames& names, GLuint name) {
     const auto found = names.objects.find(name);
     return found == names.objects.end() ? nullptr : found->second.get();
@@ -174,10 +181,11 @@ void bind_texture(Context& ctx, GLenum target, GLuint texture) {
     std::shared_ptr<TextureObject>& bound = ctx.texture.units[ctx.texture.active_unit].bound[index];
     auto lock = lock_textures(ctx);
     TextureNames& names = ctx.shared->textures;
-    const TextureObject* const known = texture ? find_object(names, texture) : names.defaults[index].get();
+    const std::shared_ptr<const TextureObject> known =
+        texture ? object_named(names, texture) : names.defaults[index];
     lock.unlock();
     // Contexts that share textures see each other's changes when they bind.
-    if (bound.get() == known && ctx.shared.use_count() == 1) return;
+    if (bound == known && ctx.shared.use_count() == 1) return;
     if (known && known->target != kTargets[index])
         return record_error(ctx, GL_INVALID_OPERATION, "the texture belongs to another target");
     begin_change(ctx, Dirty::kTexture);

@@ -297,6 +297,31 @@ TEST_F(ShareGroups, NamesComeAndGo) {
          lookups});
 }
 
+// One name each for whom binding looks at what the others delete.
+TEST_F(ShareGroups, ANameIsBoundWhileItIsDeleted) {
+    static constexpr GLuint kName = 7;
+    const auto binds = [](GLenum target) {
+        return [target](Random&) {
+            for (int i = 0; i < 20; ++i) {
+                glBindTexture(target, kName);
+                glBindBuffer(GL_ARRAY_BUFFER, kName);
+                glBindRenderbuffer(GL_RENDERBUFFER, kName);
+                glGetError();  // another target's, once in a while
+            }
+        };
+    };
+    const auto deletes = [](Random&) {
+        for (int i = 0; i < 20; ++i) {
+            glBindTexture(GL_TEXTURE_2D, kName);
+            glDeleteTextures(1, &kName);
+            glDeleteBuffers(1, &kName);
+            glDeleteRenderbuffers(1, &kName);
+            glGetError();
+        }
+    };
+    run({binds(GL_TEXTURE_1D), binds(GL_TEXTURE_3D), deletes, deletes});
+}
+
 TEST_F(ShareGroups, TexturesGetNewImages) {
     constexpr GLuint kTexture = 1, kMipmapped = 2;
     const auto specify = [](GLuint texture) {
