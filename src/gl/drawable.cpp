@@ -90,7 +90,7 @@ void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout 
     std::byte* const top_row = bottom_row + (target->height() - 1) * stride;
     const raster::TargetUse use(*target, drawable.plane_of(buffer));
     for (int bin = 0; bin < target->bin_count(); ++bin)
-        pipeline::resolve_bin(*target, bin, layout, top_row, -stride);
+        pipeline::resolve_bins(*target, bin, 1, layout, top_row, -stride);
 }
 
 void load_picture(raster::Target& target, raster::ColorPlane plane, pipeline::PixelLayout layout,

@@ -91,11 +91,13 @@ void Frame::begin(std::shared_ptr<raster::Target> target, DrawnColors colors) {
     std::vector<BinList> bins(count);
     std::vector<int> touched;
     touched.reserve(count);
+    std::vector<std::atomic<int>> unfinished(target ? count / static_cast<size_t>(target->bins_across()) : 0);
     draw();
     m_target = std::move(target);
     m_colors = colors;
     m_bins = std::move(bins);
     m_touched = std::move(touched);
+    m_unfinished = std::move(unfinished);
 }
 
 // For one more command.
@@ -247,14 +249,19 @@ void Frame::draw() {
     reset();
 }
 
-void Frame::draw(const std::function<void(int)>& finished) {
+void Frame::draw(Group group, const std::function<void(int, int)>& finished) {
     const StageTimer timer(statistics.pixel_nanoseconds);
     {
         const raster::TargetUse use(*m_target, shown_color(m_colors));
         if (m_commands != 0 && m_colors == DrawnColors::kBoth) draw_second_color();
+        const int across = m_target->bins_across();
+        for (std::atomic<int>& count : m_unfinished) count.store(across, std::memory_order_relaxed);
         run_parallel(static_cast<int>(m_bins.size()), [&](int bin) {
             draw_bin(bin);
-            finished(bin);
+            if (group == Group::kBin) return finished(bin, 1);
+            const int row = bin / across;
+            if (m_unfinished[static_cast<size_t>(row)].fetch_sub(1, std::memory_order_acq_rel) == 1)
+                finished(row * across, across);
         });
     }
     reset();

@@ -127,10 +127,12 @@ class Frame {
     // Needs no memory, but for drawing to both colour buffers: throws std::bad_alloc then, before anything
     // is drawn.
     void draw();
-    // The same, and hands each bin of the target over to `finished` as soon as its pixels are done, while
-    // they are still in the cache of the thread that drew them: those of the colour buffer drawn to, the
-    // first of both. `finished` may run on several threads at a time and must not throw.
-    void draw(const std::function<void(int bin)>& finished);
+    // What is handed over at a time: a bin, or a whole row of them.
+    enum class Group : uint8_t { kBin, kRow };
+    // The same, and hands each bin, or row of bins, of the target over to `finished` as soon as its pixels
+    // are done, while they are still in the cache of a thread that drew them: those of the colour buffer
+    // drawn to, the first of both. `finished` may run on several threads at a time and must not throw.
+    void draw(Group group, const std::function<void(int first, int count)>& finished);
 
   private:
     // Bin lists are chunks of tagged pointers: bit 0 marks a clear.
@@ -156,6 +158,7 @@ class Frame {
     Arena m_arena;
     std::vector<BinList> m_bins;
     std::vector<int> m_touched;  // bins with something to draw; has room for all
+    std::vector<std::atomic<int>> m_unfinished;  // bins of each row, while they are drawn to be handed over
     std::vector<std::shared_ptr<const void>> m_kept;
     size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;

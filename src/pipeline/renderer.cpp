@@ -108,7 +108,10 @@ void Renderer::finish() {
 
 void Renderer::finish(PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
     if (m_frame.target() == nullptr) return;
-    m_frame.draw([&](int bin) { resolve_bin(*m_frame.target(), bin, layout, row0, stride); });
+    const auto group = rows_share_cache_lines(stride) ? Frame::Group::kRow : Frame::Group::kBin;
+    m_frame.draw(group, [&](int first, int count) {
+        resolve_bins(*m_frame.target(), first, count, layout, row0, stride);
+    });
 }
 
 }  // namespace terrazzo::pipeline

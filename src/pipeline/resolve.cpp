@@ -93,14 +93,15 @@ struct Depth24Stencil8 {
 struct Rows {
     std::byte* first;  // pixel (0, 0) of the bin
     std::ptrdiff_t stride;
-    int width, height;  // of the part of the bin that is in the target
+    int width;           // of the part of the bin that is in the target
+    int first_row, end;  // which of the bin's rows
 };
 
 // Row after row, so that each line of the picture's memory is written at once.
 template <class Layout>
 void copy_tiles(const Bin& bin, const Rows& rows) {
     const int whole_width = rows.width & ~(kTileSize - 1);
-    for (int y = 0; y < rows.height; ++y) {
+    for (int y = rows.first_row; y < rows.end; ++y) {
         std::byte* const out = rows.first + y * rows.stride;
         for (int x = 0; x < whole_width; x += kTileSize)
             Layout::store(bin, raster::pixel_index(x, y), kTileSize,
@@ -119,13 +120,15 @@ void copy_clear_color(const Target& target, const Bin& bin, const Rows& rows) {
     raster::fill_color(target.format().color, bin.state->clear.color, tile_row.data(), kTileSize);
     Bin one_tile_row = bin;
     one_tile_row.color = tile_row.data();
+    std::byte* const first = rows.first + rows.first_row * rows.stride;
     for (int x = 0; x < rows.width; x += kTileSize) {
         Layout::store(one_tile_row, 0, std::min(kTileSize, rows.width - x),
-                      rows.first + std::ptrdiff_t{x} * Layout::kPixelBytes);
+                      first + std::ptrdiff_t{x} * Layout::kPixelBytes);
     }
     const std::size_t row_bytes = static_cast<std::size_t>(rows.width) * Layout::kPixelBytes;
     // A client may have asked for rows that overlap.
-    for (int y = 1; y < rows.height; ++y) std::memmove(rows.first + y * rows.stride, rows.first, row_bytes);
+    for (int y = rows.first_row + 1; y < rows.end; ++y)
+        std::memmove(rows.first + y * rows.stride, first, row_bytes);
 }
 
 template <class Layout>
@@ -137,47 +140,70 @@ template <class Layout>
 }
 
 template <class Layout>
-void copy_bin(Target& target, int index, std::byte* row0, std::ptrdiff_t stride) {
-    constexpr bool kIsColor = !std::is_same_v<Layout, Depth16> && !std::is_same_v<Layout, Depth24Stencil8>;
-    if (!kIsColor) target.materialize(index);
+constexpr bool kIsColor = !std::is_same_v<Layout, Depth16> && !std::is_same_v<Layout, Depth24Stencil8>;
+
+// The rows `first_row` to `end` - 1 of a bin, as far as they are in the target.
+template <class Layout>
+void copy_rows(Target& target, int index, std::byte* row0, std::ptrdiff_t stride, int first_row, int end) {
     const Bin bin = target.bin(index);
     const Rows rows{row0 + bin.y * stride + std::ptrdiff_t{bin.x} * Layout::kPixelBytes, stride,
-                    std::min(kBinSize, target.width() - bin.x), std::min(kBinSize, target.height() - bin.y)};
-    if (kIsColor && bin.state->pending.color) {
+                    std::min(kBinSize, target.width() - bin.x), first_row,
+                    std::min(end, target.height() - bin.y)};
+    if (rows.first_row >= rows.end) return;
+    if (kIsColor<Layout> && bin.state->pending.color) {
         copy_clear_color<Layout>(target, bin, rows);
-    } else if (kIsColor && target.format().samples > 1) {
+    } else if (kIsColor<Layout> && target.format().samples > 1) {
         copy_resolved_tiles<Layout>(target, bin, rows);
     } else {
         copy_tiles<Layout>(bin, rows);
     }
 }
 
+template <class Layout>
+void copy_bins(Target& target, int first, int count, std::byte* row0, std::ptrdiff_t stride) {
+    if (!kIsColor<Layout>)
+        for (int i = first; i < first + count; ++i) target.materialize(i);
+    // The mean of samples is worked out a bin at a time.
+    const int step = target.format().samples > 1 ? kBinSize : kTileSize;
+    if (count == 1 || step == kBinSize) {
+        for (int i = first; i < first + count; ++i) copy_rows<Layout>(target, i, row0, stride, 0, kBinSize);
+        return;
+    }
+    for (int y = 0; y < kBinSize; y += step)
+        for (int i = first; i < first + count; ++i) copy_rows<Layout>(target, i, row0, stride, y, y + step);
+}
+
 }  // namespace
 
-void resolve_bin(Target& target, int bin, PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
+bool rows_share_cache_lines(std::ptrdiff_t stride) {
+    return stride % 1024 == 0;
+}
+
+void resolve_bins(Target& target, int first, int count, PixelLayout layout, std::byte* row0,
+                  std::ptrdiff_t stride) {
     switch (layout) {
         case PixelLayout::kRgba8:
-            return copy_bin<Bytes<4, 4>>(target, bin, row0, stride);
+            return copy_bins<Bytes<4, 4>>(target, first, count, row0, stride);
         case PixelLayout::kBgra8:
-            return copy_bin<Words<uint32_t, rgba_to_bgra>>(target, bin, row0, stride);
+            return copy_bins<Words<uint32_t, rgba_to_bgra>>(target, first, count, row0, stride);
         case PixelLayout::kArgb8:
-            return copy_bin<Words<uint32_t, rgba_to_argb>>(target, bin, row0, stride);
+            return copy_bins<Words<uint32_t, rgba_to_argb>>(target, first, count, row0, stride);
         case PixelLayout::kRgb8:
-            return copy_bin<Bytes<4, 3>>(target, bin, row0, stride);
+            return copy_bins<Bytes<4, 3>>(target, first, count, row0, stride);
         case PixelLayout::kRgba16:
-            return copy_bin<Bytes<8, 8>>(target, bin, row0, stride);
+            return copy_bins<Bytes<8, 8>>(target, first, count, row0, stride);
         case PixelLayout::kRgb16:
-            return copy_bin<Bytes<8, 6>>(target, bin, row0, stride);
+            return copy_bins<Bytes<8, 6>>(target, first, count, row0, stride);
         case PixelLayout::kRgba32F:
-            return copy_bin<Bytes<16, 16>>(target, bin, row0, stride);
+            return copy_bins<Bytes<16, 16>>(target, first, count, row0, stride);
         case PixelLayout::kRgb32F:
-            return copy_bin<Bytes<16, 12>>(target, bin, row0, stride);
+            return copy_bins<Bytes<16, 12>>(target, first, count, row0, stride);
         case PixelLayout::kRgb565:
-            return copy_bin<Bytes<2, 2>>(target, bin, row0, stride);
+            return copy_bins<Bytes<2, 2>>(target, first, count, row0, stride);
         case PixelLayout::kDepth16:
-            return copy_bin<Depth16>(target, bin, row0, stride);
+            return copy_bins<Depth16>(target, first, count, row0, stride);
         case PixelLayout::kDepth24Stencil8:
-            return copy_bin<Depth24Stencil8>(target, bin, row0, stride);
+            return copy_bins<Depth24Stencil8>(target, first, count, row0, stride);
     }
 }
 
