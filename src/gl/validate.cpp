@@ -425,30 +425,6 @@ raster::Varyings lay_out_varyings(const raster::FragmentKey& key, bool secondary
     return v;
 }
 
-// The one-unit case that has kernels of its own.
-bool is_plain_bilinear(const std::vector<raster::TextureStage>& stages, unsigned projective) {
-    if (stages.size() != 1 || projective != 0) return false;
-    const raster::TextureStage& stage = stages[0];
-    const raster::Sampler& s = stage.sampler;
-    const bool linear = s.mip_filter == raster::MipFilter::kNone && s.min_filter == raster::Filter::kLinear &&
-                        s.mag_filter == raster::Filter::kLinear;
-    return linear && !s.anisotropic && stage.mode == raster::EnvMode::kModulate && s.dimensions == 2 &&
-           s.faces == nullptr && s.storage == raster::TexelStorage::kRgba8 &&
-           s.wrap_s == raster::Wrap::kRepeat && s.wrap_t == raster::Wrap::kRepeat &&
-           (stage.base_format == raster::BaseFormat::kRgb || stage.base_format == raster::BaseFormat::kRgba);
-}
-
-// Whether modulation leaves the texel as it is, and nothing follows it but the store.
-bool shows_texel(const raster::FragmentState& state) {
-    const raster::FragmentKey& key = state.key;
-    const auto is_one = [](float c) { return c == 1; };
-    return !key.interpolated_color && std::all_of(state.constant_color, state.constant_color + 4, is_one) &&
-           key.color_format == raster::ColorFormat::kRgba8 && key.color_mask == 0xf &&
-           key.blend == raster::BlendKind::kNone && !key.logic_op && !key.separate_specular &&
-           key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways &&
-           !key.alpha_to_coverage && !key.alpha_to_one;
-}
-
 bool adds_secondary_color(const Context& ctx) {
     const bool separate = ctx.lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
     return ctx.fog.color_sum || (ctx.lighting.enabled && separate);
@@ -568,10 +544,7 @@ void make_fragment(Context& ctx, const pipeline::VertexInput& input) {
         if (coordinates.used) make_texture_coordinates(ctx, u, coordinates);
     }
     const unsigned projective = ctx.drawing.projective = projective_units(draw.vertex, input);
-    key.texture = block->stages.empty()                           ? raster::TextureKind::kNone
-                  : !is_plain_bilinear(block->stages, projective) ? raster::TextureKind::kGeneral
-                  : shows_texel(state)                            ? raster::TextureKind::kBilinearRgba8
-                                       : raster::TextureKind::kModulateBilinearRgba8;
+    key.textured = used != 0;
     const auto& secondary = input.constants[pipeline::kSecondaryColor];
     std::transform(secondary.begin(), secondary.begin() + 3, state.constant_secondary, unit);
     state.varyings =
@@ -587,7 +560,7 @@ bool shows_image(const raster::FragmentState& state) {
     return key.color_format == raster::ColorFormat::kRgba8 && key.color_mask == 0xf &&
            key.blend == raster::BlendKind::kNone && !key.logic_op && !key.separate_specular &&
            key.fog == raster::FogMode::kNone && key.alpha_func == raster::Compare::kAlways &&
-           !key.alpha_to_coverage && !key.alpha_to_one && key.texture == raster::TextureKind::kNone;
+           !key.alpha_to_coverage && !key.alpha_to_one && !key.textured;
 }
 
 // GL 3.0 §4.3.1: of what happens to fragments, pixels of depth and stencil undergo only the scissor test.
@@ -628,7 +601,7 @@ std::shared_ptr<const pipeline::FragmentBlock> make_raster_fragment(Context& ctx
     unsigned projective = 0;
     for (std::size_t u = 0; u < kMaxTextureUnits; ++u)
         if ((used >> u & 1) && ctx.raster_position.texture_coordinates[u][3] != 1) projective |= 1u << u;
-    key.texture = used ? raster::TextureKind::kGeneral : raster::TextureKind::kNone;
+    key.textured = used != 0;
     key.image =
         image == raster::PixelImage::kRgba8 && shows_image(state) ? raster::PixelImage::kVerbatim : image;
     if (image == raster::PixelImage::kStencil) key.stencil_test = true;

@@ -25,9 +25,8 @@ void weigh_errors(raster::FragmentState& state) {
         const raster::TextureStage& stage = state.textures[i];
         const raster::MipLevel& level = stage.sampler.levels[0];
         const auto first = static_cast<size_t>(v.texture[stage.unit]);
-        // Neighbouring texels seldom differ by more than an eighth of the range. General sampling and
-        // pictures without perspective have exact coordinates in any case.
-        const bool exact = state.key.texture == raster::TextureKind::kGeneral || !state.key.perspective;
+        // Neighbouring texels seldom differ by more than an eighth of the range.
+        const bool exact = state.stages.exact_coordinates;
         weights[first] = exact ? 0.0f : static_cast<float>(level.width) / 8;
         weights[first + 1] = exact ? 0.0f : static_cast<float>(level.height) / 8;
         if (v.uses_r >> stage.unit & 1) weights[first + 2] = 0.0f;
@@ -47,9 +46,8 @@ void FragmentBlock::complete(bool smooth_lines, bool smooth_points) {
     if (smooth_lines) add_coverage(line, raster::Coverage::kLine);
     if (smooth_points) add_coverage(point, raster::Coverage::kPoint);
     for (raster::FragmentState* const state : {&fill, &line, &point}) {
+        raster::kernels().choose(*state, stages);
         weigh_errors(*state);
-        state->kernel = raster::kernels().select_kernel(state->key);
-        state->sample_kernel = raster::kernels().select_sample_kernel(state->key);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "pipeline/float_environment.h"
 #include "pipeline/statistics.h"
 #include "pipeline/workers.h"
+#include "raster/batch.h"
 #include "raster/clear.h"
 
 namespace terrazzo::pipeline {
@@ -81,6 +82,9 @@ void Arena::rewind(const Mark& mark) {
     m_left = mark.left;
 }
 
+Frame::Frame() = default;
+Frame::~Frame() = default;
+
 void Frame::begin(std::shared_ptr<raster::Target> target, DrawnColors colors) {
     if (target == m_target) {
         draw();
@@ -91,12 +95,15 @@ void Frame::begin(std::shared_ptr<raster::Target> target, DrawnColors colors) {
     std::vector<BinList> bins(count);
     std::vector<int> touched;
     touched.reserve(count);
+    std::vector<std::unique_ptr<raster::Batch>> batches(static_cast<size_t>(target ? thread_count() : 0));
     std::vector<std::atomic<int>> unfinished(target ? count / static_cast<size_t>(target->bins_across()) : 0);
+    for (auto& batch : batches) batch = std::make_unique_for_overwrite<raster::Batch>();
     draw();
     m_target = std::move(target);
     m_colors = colors;
     m_bins = std::move(bins);
     m_touched = std::move(touched);
+    m_batches = std::move(batches);
     m_unfinished = std::move(unfinished);
 }
 
@@ -188,26 +195,29 @@ void Frame::add(const BinClear& clear) {
     });
 }
 
-void Frame::draw_bin(int index) const {
+void Frame::draw_bin(int index, int thread) const {
     const FloatEnvironment environment;
     const BinList& list = m_bins[static_cast<size_t>(index)];
     raster::Bin bin = m_target->bin(index);
-    const auto draw = m_target->format().samples == 1 ? raster::kernels().draw_primitive
-                                                      : raster::kernels().draw_multisampled;
+    raster::Batch& batch = *m_batches[static_cast<size_t>(thread)];
+    const raster::KernelTable& kernels = raster::kernels();
+    const auto draw = m_target->format().samples == 1 ? kernels.draw_primitive : kernels.draw_multisampled;
     for (const Chunk* chunk = list.first; chunk != nullptr; chunk = chunk->next) {
         for (uint32_t i = 0; i < chunk->count; ++i) {
             const uintptr_t command = chunk->commands[i];
             if (i + kPrefetchAhead < chunk->count) prefetch(chunk->commands[i + kPrefetchAhead]);
             if (command & kClearTag) {
+                kernels.flush(bin, batch);
                 raster::clear_bin(*reinterpret_cast<const BinClear*>(command & ~kClearTag), *m_target, index);
             } else {
                 const Primitive& primitive = *reinterpret_cast<const Primitive*>(command);
                 const raster::FragmentKey& key = primitive.state->key;
                 m_target->materialize(index, {true, key.depth_test, key.stencil_test});
-                draw(primitive, bin);
+                draw(primitive, bin, batch);
             }
         }
     }
+    kernels.flush(bin, batch);
     if (bin.samples_passed) m_samples_passed.fetch_add(bin.samples_passed, std::memory_order_relaxed);
 }
 
@@ -218,10 +228,10 @@ void Frame::draw_bins() {
     // A handful of commands is drawn sooner than a thread wakes up.
     constexpr size_t kFewCommands = 32;
     if (m_commands <= kFewCommands) {
-        for (const int bin : m_touched) draw_bin(bin);
+        for (const int bin : m_touched) draw_bin(bin, 0);
     } else {
         run_parallel(static_cast<int>(m_touched.size()),
-                     [this](int i) { draw_bin(m_touched[static_cast<size_t>(i)]); });
+                     [this](int i, int thread) { draw_bin(m_touched[static_cast<size_t>(i)], thread); });
     }
 }
 
@@ -256,8 +266,8 @@ void Frame::draw(Group group, const std::function<void(int, int)>& finished) {
         if (m_commands != 0 && m_colors == DrawnColors::kBoth) draw_second_color();
         const int across = m_target->bins_across();
         for (std::atomic<int>& count : m_unfinished) count.store(across, std::memory_order_relaxed);
-        run_parallel(static_cast<int>(m_bins.size()), [&](int bin) {
-            draw_bin(bin);
+        run_parallel(static_cast<int>(m_bins.size()), [&](int bin, int thread) {
+            draw_bin(bin, thread);
             if (group == Group::kBin) return finished(bin, 1);
             const int row = bin / across;
             if (m_unfinished[static_cast<size_t>(row)].fetch_sub(1, std::memory_order_acq_rel) == 1)

@@ -70,6 +70,9 @@ constexpr raster::ColorPlane shown_color(DrawnColors colors) {
 
 class Frame {
   public:
+    Frame();
+    ~Frame();
+
     // What a frame may hold before it has to be drawn: primitives and states, and as much again in images
     // that their textures have given up. All together stays far below 256 MB.
     static constexpr size_t kMaxBytes = 64u << 20;
@@ -149,7 +152,8 @@ class Frame {
 
     void make_room(int bin);
     void push(int bin, uintptr_t command);
-    void draw_bin(int index) const;
+    // `thread`: of those that draw, from 0.
+    void draw_bin(int index, int thread) const;
     void draw_bins();
     void draw_second_color();
     void reset();
@@ -157,8 +161,9 @@ class Frame {
     std::shared_ptr<raster::Target> m_target;
     Arena m_arena;
     std::vector<BinList> m_bins;
-    std::vector<int> m_touched;  // bins with something to draw; has room for all
+    std::vector<int> m_touched;                  // bins with something to draw; has room for all
     std::vector<std::atomic<int>> m_unfinished;  // bins of each row, while they are drawn to be handed over
+    std::vector<std::unique_ptr<raster::Batch>> m_batches;  // one a thread
     std::vector<std::shared_ptr<const void>> m_kept;
     size_t m_kept_bytes = 0;  // without images
     size_t m_commands = 0;

@@ -22,35 +22,38 @@ namespace {
 
 class Pool {
   public:
-    void run(int threads, int count, const std::function<void(int)>& work);
+    void run(int threads, int count, const std::function<void(int, int)>& work);
     ~Pool();
 
   private:
-    void serve();
-    static void take(std::atomic<int>& next, int count, const std::function<void(int)>& work) {
-        for (int i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) work(i);
+    void serve(int thread);  // from 1 on: 0 is the caller
+    static void take(std::atomic<int>& next, int count, int thread,
+                     const std::function<void(int, int)>& work) {
+        for (int i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) work(i, thread);
     }
 
     std::mutex m_mutex;
     std::condition_variable m_wake, m_done;
     std::vector<std::thread> m_threads;
-    const std::function<void(int)>* m_work = nullptr;  // null while there is nothing to do
+    const std::function<void(int, int)>* m_work = nullptr;  // null while there is nothing to do
     std::atomic<int> m_next{0};
     int m_count = 0;
     int m_busy = 0;  // threads inside the current job
     bool m_running = false, m_stop = false;
 };
 
-void Pool::run(int threads, int count, const std::function<void(int)>& work) {
+void Pool::run(int threads, int count, const std::function<void(int, int)>& work) {
     std::unique_lock lock(m_mutex);
     if (m_running) {
         lock.unlock();
-        for (int i = 0; i < count; ++i) work(i);
+        for (int i = 0; i < count; ++i) work(i, 0);
         return;
     }
     m_running = true;
     try {
-        while (static_cast<int>(m_threads.size()) < threads - 1) m_threads.emplace_back([this] { serve(); });
+        while (static_cast<int>(m_threads.size()) < threads - 1)
+            m_threads.emplace_back(
+                [this, thread = static_cast<int>(m_threads.size()) + 1] { serve(thread); });
     } catch (const std::system_error&) {
         // The caller draws with the threads there are.
     } catch (const std::bad_alloc&) {
@@ -61,7 +64,7 @@ void Pool::run(int threads, int count, const std::function<void(int)>& work) {
     lock.unlock();
     m_wake.notify_all();
 
-    take(m_next, count, work);
+    take(m_next, count, 0, work);
 
     lock.lock();
     m_work = nullptr;
@@ -69,7 +72,7 @@ void Pool::run(int threads, int count, const std::function<void(int)>& work) {
     m_running = false;
 }
 
-void Pool::serve() {
+void Pool::serve(int thread) {
     const WithoutTraps without_traps;  // threads begin with those of the one that starts them
     std::unique_lock lock(m_mutex);
     for (;;) {
@@ -77,11 +80,11 @@ void Pool::serve() {
             return m_stop || (m_work != nullptr && m_next.load(std::memory_order_relaxed) < m_count);
         });
         if (m_stop) return;
-        const std::function<void(int)>& work = *m_work;
+        const std::function<void(int, int)>& work = *m_work;
         const int count = m_count;
         ++m_busy;
         lock.unlock();
-        take(m_next, count, work);
+        take(m_next, count, thread, work);
         lock.lock();
         if (--m_busy == 0) m_done.notify_one();
     }
@@ -135,13 +138,13 @@ int thread_count() {
     return count;
 }
 
-void run_parallel(int count, const std::function<void(int)>& work) {
+void run_parallel(int count, const std::function<void(int, int)>& work) {
     const WithoutTraps without_traps;
     const int threads = std::min(thread_count(), count);
     if (Pool* const threads_there = threads > 1 ? pool() : nullptr) {
         threads_there->run(threads, count, work);
     } else {
-        for (int i = 0; i < count; ++i) work(i);
+        for (int i = 0; i < count; ++i) work(i, 0);
     }
 }
 

@@ -11,9 +11,9 @@ namespace terrazzo::pipeline {
 // How many threads draw a frame, at least 1.
 int thread_count();
 
-// Calls `work(i)` once for each i in [0, count), on any of the threads, and returns when all calls have.
-// Several threads may call this at a time: one gets the pool, the others do their own work. `work` must not
-// throw.
-void run_parallel(int count, const std::function<void(int)>& work);
+// Calls `work(i, thread)` once for each i in [0, count), on any of the threads, and returns when all calls
+// have. `thread` numbers those that work, from 0 to thread_count() - 1, each in one call at a time. Several
+// threads may call this at a time: one gets the pool, the others do their own work. `work` must not throw.
+void run_parallel(int count, const std::function<void(int, int)>& work);
 
 }  // namespace terrazzo::pipeline

@@ -22,13 +22,16 @@ struct BinClear {
 
 struct KernelTable {
     simd::Isa isa;
-    // The kernel for a key: a specialised one where there is one, else the general one.
-    TileKernel (*select_kernel)(const FragmentKey&);
-    // Draws one primitive into one bin, whose planes are materialised.
-    void (*draw_primitive)(const Primitive&, Bin&);
+    // Chooses how the fragments of a state whose key and textures are there get their colours: its kernels, or
+    // stages of its own and of its texture units.
+    void (*choose)(FragmentState&, std::span<TextureStage> units);
+    // Draws one primitive into one bin, whose planes are materialised; or leaves it in the batch, which belongs
+    // to the bin until it is flushed.
+    void (*draw_primitive)(const Primitive&, Bin&, Batch&);
     // The same for a bin of a multisampled target.
-    SampleKernel (*select_sample_kernel)(const FragmentKey&);
-    void (*draw_multisampled)(const Primitive&, Bin&);
+    void (*draw_multisampled)(const Primitive&, Bin&, Batch&);
+    // Draws what is left in the batch.
+    void (*flush)(Bin&, Batch&);
     // The mean of each pixel's samples: tiles of a bin's planes to one of a single sample.
     void (*resolve_rgba8)(const uint32_t* samples, const uint8_t* alike, int tile_count, uint32_t* to);
     // Stores `value` in `count` words, a multiple of 16, from a 64-byte boundary on.

@@ -1,6 +1,7 @@
 // The pixel kernels of one instruction set: the general one, the specialised ones, and the choice among them.
 #include "raster/kernel_table.h"
 #include "raster/pixel/shade_samples.h"
+#include "raster/stages/stages.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
@@ -53,13 +54,12 @@ void specialised_kernel(const FragmentState& state, const Primitive& primitive, 
 }
 
 constexpr FragmentKey hot_key(bool depth, Compare func, bool perspective, bool interpolated_color,
-                              TextureKind texture, BlendKind blend = BlendKind::kNone) {
+                              BlendKind blend = BlendKind::kNone) {
     FragmentKey key;
     key.depth_test = key.depth_write = depth;
     key.depth_func = func;
     key.perspective = perspective;
     key.interpolated_color = interpolated_color;
-    key.texture = texture;
     key.blend = blend;
     return key;
 }
@@ -96,50 +96,33 @@ constexpr Specialised specialise_both() {
 
 // One colour a primitive, each another: glShadeModel(GL_FLAT).
 constexpr FragmentKey flat_key(Compare func, bool perspective) {
-    FragmentKey key = hot_key(true, func, perspective, true, TextureKind::kNone);
+    FragmentKey key = hot_key(true, func, perspective, true);
     key.flat_color = true;
     return key;
 }
 
 // Images that are copied, and such with an alpha channel.
 constexpr FragmentKey image_key(PixelImage image, BlendKind blend) {
-    FragmentKey key = hot_key(false, Compare::kLess, false, false, TextureKind::kNone, blend);
+    FragmentKey key = hot_key(false, Compare::kLess, false, false, blend);
     key.image = image;
     return key;
 }
 
-constexpr auto kBilinear = TextureKind::kModulateBilinearRgba8;
-// The state of the study's scenes T1 to T6 and of the demo's models, with both usual depth functions. The
-// scalar build has the general kernel alone: it is there to be compared with, and one lane at a time is slow
-// in any case.
+// States without textures, with both usual depth functions. The scalar build has the general kernel alone: it
+// is there to be compared with, and one lane at a time is slow in any case.
 constexpr Specialised kSpecialised[] = {
-    specialise_both<hot_key(false, Compare::kLess, false, true, TextureKind::kNone)>(),
-    specialise<hot_key(false, Compare::kLess, false, false, TextureKind::kNone)>(),
-    specialise_both<hot_key(true, Compare::kLess, true, true, TextureKind::kNone)>(),
-    specialise_both<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone)>(),
-    specialise_both<hot_key(true, Compare::kLess, true, false, TextureKind::kNone)>(),
+    specialise_both<hot_key(false, Compare::kLess, false, true)>(),
+    specialise<hot_key(false, Compare::kLess, false, false)>(),
+    specialise_both<hot_key(true, Compare::kLess, true, true)>(),
+    specialise_both<hot_key(true, Compare::kLessEqual, true, true)>(),
+    specialise_both<hot_key(true, Compare::kLess, true, false)>(),
     specialise<flat_key(Compare::kLess, true)>(),
     specialise<flat_key(Compare::kLessEqual, true)>(),
-    specialise_both<hot_key(true, Compare::kLess, true, false, TextureKind::kBilinearRgba8)>(),
-    specialise<hot_key(true, Compare::kLessEqual, true, false, TextureKind::kBilinearRgba8)>(),
-    specialise<hot_key(true, Compare::kLess, true, false, kBilinear)>(),
-    specialise<hot_key(true, Compare::kLessEqual, true, false, kBilinear)>(),
-    specialise_both<hot_key(true, Compare::kLess, true, true, kBilinear)>(),
-    specialise_both<hot_key(true, Compare::kLessEqual, true, true, kBilinear)>(),
-    // Lit models with textures of any kind, mip-mapped ones above all.
-    specialise_both<hot_key(true, Compare::kLess, true, true, TextureKind::kGeneral)>(),
-    specialise_both<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kGeneral)>(),
-    // What programs draw with most besides: sprites, texts and panes, and see-through parts of scenes.
-    specialise<hot_key(false, Compare::kLess, false, false, kBilinear)>(),
-    specialise<hot_key(false, Compare::kLess, false, true, kBilinear)>(),
-    specialise<hot_key(false, Compare::kLess, false, false, kBilinear, BlendKind::kAlpha)>(),
-    specialise<hot_key(false, Compare::kLess, false, true, kBilinear, BlendKind::kAlpha)>(),
-    specialise<hot_key(false, Compare::kLess, false, false, TextureKind::kNone, BlendKind::kAlpha)>(),
-    specialise<hot_key(false, Compare::kLess, false, true, TextureKind::kNone, BlendKind::kAlpha)>(),
-    specialise<hot_key(true, Compare::kLess, true, true, TextureKind::kNone, BlendKind::kAlpha)>(),
-    specialise<hot_key(true, Compare::kLessEqual, true, true, TextureKind::kNone, BlendKind::kAlpha)>(),
-    specialise<hot_key(true, Compare::kLess, true, true, kBilinear, BlendKind::kAlpha)>(),
-    specialise<hot_key(true, Compare::kLessEqual, true, true, kBilinear, BlendKind::kAlpha)>(),
+    // What programs draw with most besides: panes, and see-through parts of scenes.
+    specialise<hot_key(false, Compare::kLess, false, false, BlendKind::kAlpha)>(),
+    specialise<hot_key(false, Compare::kLess, false, true, BlendKind::kAlpha)>(),
+    specialise<hot_key(true, Compare::kLess, true, true, BlendKind::kAlpha)>(),
+    specialise<hot_key(true, Compare::kLessEqual, true, true, BlendKind::kAlpha)>(),
     specialise<image_key(PixelImage::kVerbatim, BlendKind::kNone)>(),
     specialise<image_key(PixelImage::kRgba8, BlendKind::kAlpha)>(),
 };
@@ -173,6 +156,16 @@ SampleKernel select_sample_kernel(const FragmentKey& key) {
     return key.image == PixelImage::kStencil ? stencil_image_sample_kernel : general_sample_kernel;
 }
 #endif
+
+void choose(FragmentState& state, std::span<TextureStage> units) {
+    state.kernel = select_kernel(state.key);
+    state.sample_kernel = select_sample_kernel(state.key);
+    choose_stages(state, units);
+    // One kernel for all of it takes less than stages do, which write colours down in between.
+    if (state.texture_count == 0 && state.kernel != general_kernel) state.stages.is_batched = false;
+    if (state.texture_count == 0 && state.sample_kernel != general_sample_kernel)
+        state.stages.samples_are_batched = false;
+}
 
 void fill(uint32_t* to, uint32_t value, size_t count) {
     const I32x16 wide(static_cast<int32_t>(value));
@@ -212,16 +205,20 @@ TERRAZZO_INLINE void find_tiles(const Primitive& primitive, Bin& bin, CoveredTil
     }
 }
 
-void draw_primitive(const Primitive& primitive, Bin& bin) {
+void draw_primitive(const Primitive& primitive, Bin& bin, Batch& batch) {
+    const FragmentState& state = *primitive.state;
+    if (batch.count != 0 && batch.state != &state) flush(bin, batch);
     TileList list;
     find_tiles(primitive, bin, list);
     if (list.count == 0) return;
-    const TileKernel kernel = primitive.steep ? general_kernel : primitive.state->kernel;
-    kernel(*primitive.state, primitive, bin, list);
+    if (state.stages.is_batched) return append(primitive, list, bin, batch);
+    const TileKernel kernel = primitive.steep ? general_kernel : state.kernel;
+    kernel(state, primitive, bin, list);
 }
 
-void draw_multisampled(const Primitive& primitive, Bin& bin) {
+void draw_multisampled(const Primitive& primitive, Bin& bin, Batch& batch) {
     const FragmentState& state = *primitive.state;
+    if (batch.count != 0 && batch.state != &state) flush(bin, batch);
     SampleList list;
     find_tiles(primitive, bin, list);
     if (list.count == 0) return;
@@ -230,6 +227,7 @@ void draw_multisampled(const Primitive& primitive, Bin& bin) {
             for (int s = 0; s < kMaxSamples; ++s)
                 if (!(state.key.sample_mask >> s & 1)) list.entries[i].masks[s] = 0;
     }
+    if (state.stages.samples_are_batched) return append(primitive, list, bin, batch);
     const SampleKernel kernel = primitive.steep ? general_sample_kernel : state.sample_kernel;
     kernel(state, primitive, bin, list);
 }
@@ -255,12 +253,7 @@ void resolve_rgba8(const uint32_t* samples, const uint8_t* alike, int tile_count
 }  // namespace
 
 extern const KernelTable kKernelTable;
-const KernelTable kKernelTable = {simd::Isa::TERRAZZO_ISA_ENUM,
-                                  select_kernel,
-                                  draw_primitive,
-                                  select_sample_kernel,
-                                  draw_multisampled,
-                                  resolve_rgba8,
-                                  fill};
+const KernelTable kKernelTable = {
+    simd::Isa::TERRAZZO_ISA_ENUM, choose, draw_primitive, draw_multisampled, flush, resolve_rgba8, fill};
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -1,9 +1,9 @@
 // What a fragment goes through, as plain data: made by src/gl/validate.cpp, kept by the frame while draws are
 // queued, read by the pixel kernels. No GL enumerants here or below.
 //
-// FragmentKey holds every choice that selects code; FragmentState holds the key and the numbers. A kernel is
-// either an instance of the templates in pixel/ for one constant key or the general one that reads the key as
-// it runs.
+// FragmentKey holds every choice that selects code; FragmentState holds the key and the numbers. Fragments go
+// through the stages of a batch (stages/), or through a kernel: an instance of the templates in pixel/ for one
+// constant key, or the general one that reads the key as it runs.
 #pragma once
 
 #include <array>
@@ -153,6 +153,17 @@ struct Sampler {
     Compare compare_func = Compare::kLessEqual;
 };
 
+struct FragmentState;
+struct TextureStage;
+struct Primitive;
+struct Bin;
+struct Batch;
+struct TileList;
+struct SampleList;
+// One step of all entries of a batch, and one for a texture unit (raster/stages).
+using Stage = void (*)(const FragmentState&, Bin& bin, Batch& batch);
+using UnitStage = void (*)(const FragmentState&, const TextureStage&, Bin& bin, Batch& batch);
+
 struct TextureStage {
     uint8_t unit = 0;  // whose texture coordinates it samples at
     Sampler sampler;
@@ -160,15 +171,10 @@ struct TextureStage {
     BaseFormat base_format = BaseFormat::kRgba;
     float env_color[4] = {};
     CombineHalf rgb, alpha;  // of EnvMode::kCombine
-};
-
-// What runs in place of a general texture stage in a specialised kernel.
-enum class TextureKind : uint8_t {
-    kNone,
-    kGeneral,                // any number of units, each described by FragmentState::textures
-    kModulateBilinearRgba8,  // one 2D unit, REPEAT, LINEAR without mip levels, MODULATE of an RGB or RGBA
-                             // texture
-    kBilinearRgba8,          // the same with a white colour and nothing after it: the texel is the pixel
+    // Chosen by KernelTable::choose:
+    UnitStage coordinates = nullptr, sample = nullptr;
+    bool texels_are_floats = false;   // in batches: four floats a texel, or else four bytes
+    uint16_t texel_bytes_before = 0;  // of one entry of a batch, by the units before this one
 };
 
 enum class BlendKind : uint8_t {
@@ -216,7 +222,7 @@ struct FragmentKey {
     uint8_t sample_mask = 0xf;  // which samples may be written
     bool alpha_to_coverage = false;
     bool alpha_to_one = false;
-    TextureKind texture = TextureKind::kNone;
+    bool textured = false;  // FragmentState::textures
     PixelImage image = PixelImage::kNone;
 
     friend constexpr bool operator==(const FragmentKey&, const FragmentKey&) = default;
@@ -256,11 +262,6 @@ struct Varyings {
 // z, 1/w, and all varyings there can be.
 inline constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kMaxTextureUnits + 4;
 
-struct FragmentState;
-struct Primitive;
-struct Bin;
-struct TileList;
-struct SampleList;
 // Shades the tiles of `list` that `primitive` covers in `bin`.
 using TileKernel = void (*)(const FragmentState&, const Primitive& primitive, Bin& bin, const TileList& list);
 
@@ -271,6 +272,19 @@ using SampleKernel = void (*)(const FragmentState&, const Primitive& primitive, 
 struct FragmentState {
     FragmentKey key;
     Varyings varyings;
+    // Where fragments go through the stages of a batch, as far as there is something for each to do; or else
+    // null, and the kernel does it all.
+    struct Stages {
+        Stage test = nullptr, color = nullptr, output = nullptr;
+        Stage sample_test = nullptr,
+              sample_output = nullptr;  // in their places where the target is multisampled
+        bool is_batched = false;
+        bool samples_are_batched = false;
+        bool shades = false;            // the texture units' stages are needed
+        bool shows_texels = false;      // texels are what goes to the output
+        bool exact_coordinates = true;  // of textures: rounded as the reference rounds them
+        uint8_t tiles = 0;              // how many entries a batch takes
+    } stages;
     TileKernel kernel = nullptr;
     SampleKernel sample_kernel = nullptr;  // where the target is multisampled
     bool multisample =

@@ -272,6 +272,26 @@ TERRAZZO_INLINE void store_bytes(I32x16 v, uint8_t* to) {
 #endif
 }
 
+// The same of sixteen numbers from 0 to 65535, at even addresses.
+TERRAZZO_INLINE I32x16 load_shorts(const uint16_t* from) {
+    I32x16 r;
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS r.part[p] = hn::Set(TagI(), from[p]);
+#else
+    using TagShorts = hn::Rebind<uint16_t, TagI>;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::PromoteTo(TagI(), hn::LoadU(TagShorts(), from + p * kNativeLanes));
+#endif
+    return r;
+}
+TERRAZZO_INLINE void store_shorts(I32x16 v, uint16_t* to) {
+#if HWY_TARGET == HWY_SCALAR
+    TERRAZZO_FOR_PARTS to[p] = static_cast<uint16_t>(hn::GetLane(v.part[p]));
+#else
+    using TagShorts = hn::Rebind<uint16_t, TagI>;
+    TERRAZZO_FOR_PARTS hn::StoreU(hn::DemoteTo(TagShorts(), v.part[p]), TagShorts(), to + p * kNativeLanes);
+#endif
+}
+
 #if HWY_ARCH_ARM_V7 && HWY_TARGET != HWY_SCALAR
 // ARMv7's vectors only estimate quotients and roots; its scalar unit rounds them as everybody does.
 TERRAZZO_INLINE F32x16 operator/(F32x16 a, F32x16 b) {
@@ -374,6 +394,57 @@ TERRAZZO_INLINE I32x16Pair gather_pairs(const int32_t* base, I32x16 index) {
     r.second = load(second);
 #endif
     return r;
+}
+
+// base[index[i]] and base[index[i] + 1] for the lanes i of one native vector; `index` was written long enough
+// ago to be read word by word. Loads of eight bytes and a transposition: two thirds to half of what gathers
+// take on the processors measured.
+struct NativePair {
+    NativeI first, second;
+};
+TERRAZZO_INLINE NativePair load_pairs(const int32_t* base, const int32_t* index) {
+#if defined(TERRAZZO_X86)
+    const auto two = [&](int i, int j) {
+        const auto* const low = reinterpret_cast<const __m128i*>(base + index[i]);
+        const auto* const high = reinterpret_cast<const __m64*>(base + index[j]);
+        return _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(low)), high);
+    };
+    NativePair r;
+#if HWY_TARGET <= HWY_AVX3
+    const auto blocks = [&](int i) {
+        const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(two(i, i + 1)), two(i + 4, i + 5), 1);
+        const __m256 high =
+            _mm256_insertf128_ps(_mm256_castps128_ps256(two(i + 8, i + 9)), two(i + 12, i + 13), 1);
+        return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1);
+    };
+    const __m512 even = blocks(0), odd = blocks(2);
+    r.first.raw = _mm512_castps_si512(_mm512_shuffle_ps(even, odd, 0x88));
+    r.second.raw = _mm512_castps_si512(_mm512_shuffle_ps(even, odd, 0xdd));
+#elif HWY_TARGET <= HWY_AVX2
+    const auto blocks = [&](int i) {
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(two(i, i + 1)), two(i + 4, i + 5), 1);
+    };
+    const __m256 even = blocks(0), odd = blocks(2);
+    r.first.raw = _mm256_castps_si256(_mm256_shuffle_ps(even, odd, 0x88));
+    r.second.raw = _mm256_castps_si256(_mm256_shuffle_ps(even, odd, 0xdd));
+#else
+    const __m128 even = two(0, 1), odd = two(2, 3);
+    r.first.raw = _mm_castps_si128(_mm_shuffle_ps(even, odd, 0x88));
+    r.second.raw = _mm_castps_si128(_mm_shuffle_ps(even, odd, 0xdd));
+#endif
+    return r;
+#elif HWY_TARGET == HWY_SCALAR
+    return {hn::Set(TagI(), base[index[0]]), hn::Set(TagI(), base[index[0] + 1])};
+#else
+    using TagTwo = hn::Half<TagI>;
+    static_assert(kNativeLanes == 4);
+    const auto two = [&](int i, int j) {
+        return hn::Combine(TagI(), hn::LoadU(TagTwo(), base + index[j]),
+                           hn::LoadU(TagTwo(), base + index[i]));
+    };
+    const auto even = two(0, 1), odd = two(2, 3);
+    return {hn::ConcatEven(TagI(), odd, even), hn::ConcatOdd(TagI(), odd, even)};
+#endif
 }
 
 TERRAZZO_INLINE I32x16 as_int(F32x16 a) {

@@ -1,7 +1,8 @@
 // Every instruction set's pixel kernels against scalar's: random state and a random primitive in one bin,
 // then all three planes byte by byte, with guard bytes around them.
 //
-// The scalar table has the general kernel only, so specialised kernels are compared with the general one too.
+// The scalar table has the general kernel and the stages only, so specialised kernels are compared with these
+// too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "pipeline/float_environment.h"
 #include "random.h"
+#include "raster/batch.h"
 #include "raster/kernel_table.h"
 
 namespace terrazzo::raster {
@@ -62,13 +64,11 @@ struct Scene {
                                             ColorFormat::kRgba16, ColorFormat::kRgba32F};
         constexpr BlendKind kBlends[] = {BlendKind::kNone, BlendKind::kNone, BlendKind::kGeneral,
                                          BlendKind::kAlpha, BlendKind::kAdditive};
-        constexpr TextureKind kTextures[] = {TextureKind::kNone, TextureKind::kGeneral,
-                                             TextureKind::kModulateBilinearRgba8};
         // Half of the states are those that specialised kernels are made for.
         key.perspective = random.coin();
         key.interpolated_color = random.coin();
         key.flat_color = key.interpolated_color && random.once_in(4);
-        key.texture = random.one_of(kTextures);
+        key.textured = !random.once_in(3);
         key.depth_test = random.coin();
         key.depth_write = key.depth_test && !random.once_in(4);
         key.depth_func = random.coin() ? Compare::kLess : static_cast<Compare>(random.below(8));
@@ -98,8 +98,8 @@ struct Scene {
         if (state.key.interpolated_color) v.color = take(4);
         if (state.key.separate_specular) v.secondary = take(3);
         if (state.key.fog != FogMode::kNone) v.fog = take(1);
-        if (state.key.texture == TextureKind::kNone) return;
-        const bool general = state.key.texture == TextureKind::kGeneral;
+        if (!state.key.textured) return;
+        const bool general = random.coin();
         state.texture_count = static_cast<std::uint8_t>(general ? 1 + random.below(2) : 1);
         for (std::uint8_t unit = 0; unit < state.texture_count; ++unit) {
             const bool projective = general && random.once_in(4);
@@ -312,9 +312,16 @@ struct BoundedBin {
     Bin bin;
 };
 
+void choose(Scene& scene, const KernelTable& table) {
+    table.choose(scene.state, {scene.stages, scene.state.texture_count});
+}
+
 void draw_into(Bin& bin, Scene& scene, const KernelTable& table) {
-    scene.state.kernel = table.select_kernel(scene.state.key);
-    table.draw_primitive(scene.primitive(), bin);
+    choose(scene, table);
+    const auto batch = std::make_unique_for_overwrite<Batch>();
+    batch->count = 0;
+    table.draw_primitive(scene.primitive(), bin, *batch);
+    table.flush(bin, *batch);
 }
 
 Planes draw(Scene& scene, const KernelTable& table) {
@@ -482,8 +489,11 @@ void make_multisampled(Scene& scene) {
 }
 
 void draw_samples(SampledBin& to, Scene& scene, const KernelTable& table) {
-    scene.state.sample_kernel = table.select_sample_kernel(scene.state.key);
-    table.draw_multisampled(scene.primitive(), to.bin);
+    choose(scene, table);
+    const auto batch = std::make_unique_for_overwrite<Batch>();
+    batch->count = 0;
+    table.draw_multisampled(scene.primitive(), to.bin, *batch);
+    table.flush(to.bin, *batch);
 }
 
 TEST_P(PixelKernels, DrawTheSamplesThatScalarDraws) {

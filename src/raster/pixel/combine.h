@@ -9,7 +9,7 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-TERRAZZO_NOINLINE Color combine(const TextureStage& stage, const Color& f, const Color& t) {
+TERRAZZO_INLINE Color combine_inline(const TextureStage& stage, const Color& f, const Color& t) {
     const BaseFormat base = stage.base_format;
     const bool has_color = base != BaseFormat::kAlpha;
     const bool has_alpha = base != BaseFormat::kLuminance && base != BaseFormat::kRgb;
@@ -57,6 +57,10 @@ TERRAZZO_NOINLINE Color combine(const TextureStage& stage, const Color& f, const
             break;
     }
     return out;
+}
+
+TERRAZZO_NOINLINE Color combine(const TextureStage& stage, const Color& f, const Color& t) {
+    return combine_inline(stage, f, t);
 }
 
 // What the arguments of a combiner choose from.

@@ -9,7 +9,7 @@
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 // Mixes the fog colour in; `distance` is the fog coordinate.
-TERRAZZO_NOINLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 distance, Color& color) {
+TERRAZZO_INLINE void fog_inline(FogMode mode, const FragmentState& state, F32x16 distance, Color& color) {
     const F32x16 scaled = distance * F32x16(state.fog_scale);
     F32x16 f(1.0f);
     switch (mode) {
@@ -30,6 +30,10 @@ TERRAZZO_NOINLINE void apply_fog(FogMode mode, const FragmentState& state, F32x1
     color.r = color.r * f + F32x16(state.fog_color[0]) * rest;
     color.g = color.g * f + F32x16(state.fog_color[1]) * rest;
     color.b = color.b * f + F32x16(state.fog_color[2]) * rest;
+}
+
+TERRAZZO_NOINLINE void apply_fog(FogMode mode, const FragmentState& state, F32x16 distance, Color& color) {
+    fog_inline(mode, state, distance, color);
 }
 
 // Which fragments pass; compared in eight bits where the colour buffer has eight bits of alpha, else as

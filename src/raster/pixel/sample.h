@@ -21,29 +21,27 @@ struct TexturePoint {
 
 // Two 16-bit numbers a lane: v0 + round(weight * (v1 - v0) / 256), both numbers of a lane with the lane's
 // weight. `weight` holds weight * 128 twice a lane, 0 <= weight < 256.
-TERRAZZO_INLINE I32x16 lerp_pairs(I32x16 v0, I32x16 v1, I32x16 weight) {
-    I32x16 r;
+TERRAZZO_INLINE NativeI lerp_native(NativeI v0, NativeI v1, NativeI weight) {
 #if HWY_TARGET == HWY_SCALAR
-    TERRAZZO_FOR_PARTS {
-        const uint32_t a = static_cast<uint32_t>(hn::GetLane(v0.part[p])),
-                       b = static_cast<uint32_t>(hn::GetLane(v1.part[p]));
-        const int32_t w = hn::GetLane(weight.part[p]) & 0xffff;
-        uint32_t both = 0;
-        for (int half = 0; half < 32; half += 16) {
-            const int32_t low = static_cast<int32_t>(a >> half & 0xffff),
-                          high = static_cast<int32_t>(b >> half & 0xffff);
-            both |= static_cast<uint32_t>(low + ((w * (high - low) + 0x4000) >> 15)) << half;
-        }
-        r.part[p] = hn::Set(TagI(), static_cast<int32_t>(both));
+    const uint32_t a = static_cast<uint32_t>(hn::GetLane(v0)), b = static_cast<uint32_t>(hn::GetLane(v1));
+    const int32_t w = hn::GetLane(weight) & 0xffff;
+    uint32_t both = 0;
+    for (int half = 0; half < 32; half += 16) {
+        const int32_t low = static_cast<int32_t>(a >> half & 0xffff),
+                      high = static_cast<int32_t>(b >> half & 0xffff);
+        both |= static_cast<uint32_t>(low + ((w * (high - low) + 0x4000) >> 15)) << half;
     }
+    return hn::Set(TagI(), static_cast<int32_t>(both));
 #else
     using Tag16 = hn::Repartition<int16_t, TagI>;
-    TERRAZZO_FOR_PARTS {
-        const auto a = hn::BitCast(Tag16(), v0.part[p]), b = hn::BitCast(Tag16(), v1.part[p]);
-        const auto step = hn::MulFixedPoint15(hn::Sub(b, a), hn::BitCast(Tag16(), weight.part[p]));
-        r.part[p] = hn::BitCast(TagI(), hn::Add(a, step));
-    }
+    const auto a = hn::BitCast(Tag16(), v0), b = hn::BitCast(Tag16(), v1);
+    const auto step = hn::MulFixedPoint15(hn::Sub(b, a), hn::BitCast(Tag16(), weight));
+    return hn::BitCast(TagI(), hn::Add(a, step));
 #endif
+}
+TERRAZZO_INLINE I32x16 lerp_pairs(I32x16 v0, I32x16 v1, I32x16 weight) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = lerp_native(v0.part[p], v1.part[p], weight.part[p]);
     return r;
 }
 

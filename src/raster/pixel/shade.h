@@ -13,63 +13,23 @@
 #include "raster/pixel/depth_stencil.h"
 #include "raster/pixel/fog_alpha.h"
 #include "raster/pixel/interpolate.h"
+#include "raster/pixel/key.h"
 #include "raster/pixel/sample.h"
+#include "raster/pixel/stipple.h"
 #include "raster/pixel/write.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-// Steep primitives are for the general kernel.
-template <FragmentKey kKey>
-struct ConstantKey {
-    static constexpr FragmentKey value = kKey;
-    static constexpr bool kTakesSteep = false;
-};
-struct RuntimeKey {
-    const FragmentKey& value;
-    static constexpr bool kTakesSteep = true;
-};
-
-// Which pixels of a tile the 32x32 polygon stipple lets through. `y` counts upwards in the window.
-TERRAZZO_INLINE uint32_t stipple_mask(const uint32_t* pattern, int x, int y, int step) {
-    uint32_t mask = 0;
-    for (int row = 0; row < 4; ++row, y += step) {
-        const uint32_t bits = pattern[y & 31];
-        for (int i = 0; i < 4; ++i) mask |= (bits >> (31 - ((x + i) & 31)) & 1) << (4 * row + i);
-    }
-    return mask;
-}
-
-TERRAZZO_INLINE uint32_t stippled_pixels(const FragmentState& state, int x, int y) {
-    const int up = state.target_height_for_stipple;
-    return up > 0 ? stipple_mask(state.polygon_stipple, x, up - 1 - y, -1)
-                  : stipple_mask(state.polygon_stipple, x, y, 1);
-}
-
 // What the tiles of a primitive share, read once: the compiler has to expect that a store to a tile changes
 // everything that is not a local variable.
 struct SharedByTiles {
-    template <class Key>
-    TERRAZZO_INLINE SharedByTiles(Key key, const FragmentState& state)
-        : constant_color(uniform_color(state.constant_color)), depth_bits(state.depth_bits) {
-        if (!samples_one_texel(key.value)) return;
-        const TextureStage& stage = state.textures[0];
-        texture = RepeatedBilinear(stage.sampler.levels[0]);
-        coordinates = state.varyings.texture[stage.unit];
-        opaque = stage.base_format == BaseFormat::kRgb;
-    }
-    static TERRAZZO_INLINE bool samples_one_texel(const FragmentKey& key) {
-        return key.texture == TextureKind::kModulateBilinearRgba8 ||
-               key.texture == TextureKind::kBilinearRgba8;
-    }
+    TERRAZZO_INLINE explicit SharedByTiles(const FragmentState& state)
+        : constant_color(uniform_color(state.constant_color)), depth_bits(state.depth_bits) {}
 
     Color constant_color;
     int depth_bits;
-    // One 2D unit, REPEAT, LINEAR without mip levels, 8-bit texels: the hot case of textured scenes.
-    RepeatedBilinear texture;
-    int coordinates = 0;  // the planes of s and t
-    bool opaque = false;  // the texture has no alpha
 };
 
 template <class Key>
@@ -88,24 +48,6 @@ TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const S
     Color c{at.varying(first), at.varying(first + 1), at.varying(first + 2), at.varying(first + 3)};
     if (key.value.perspective) c = {c.r * w, c.g * w, c.b * w, c.a * w};
     return c;
-}
-
-// Without perspective pictures are often as large as their textures, and a rounding error of a coordinate
-// would show.
-template <class Key>
-TERRAZZO_INLINE TexelPairs bilinear_texel(Key key, const SharedByTiles& shared, const Interpolator& at,
-                                          F32x16 w) {
-    if (!key.value.perspective)
-        return shared.texture.at(at.exact_varying(shared.coordinates),
-                                 at.exact_varying(shared.coordinates + 1));
-    return shared.texture.at(at.varying(shared.coordinates) * w, at.varying(shared.coordinates + 1) * w);
-}
-
-template <class Key>
-TERRAZZO_INLINE Color modulate_bilinear(Key key, const SharedByTiles& shared, const Interpolator& at,
-                                        F32x16 w, const Color& f) {
-    const Color t = from_color8(to_color8(bilinear_texel(key, shared, at, w)));
-    return {f.r * t.r, f.g * t.g, f.b * t.b, shared.opaque ? f.a : f.a * t.a};
 }
 
 TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, Color color,
@@ -135,9 +77,7 @@ TERRAZZO_INLINE Color shade_fragment(Key key, const FragmentState& state, const 
     const FragmentKey& k = key.value;
     const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
     Color color = primary_color(key, state, shared, primitive, at, w);
-    if (k.texture == TextureKind::kModulateBilinearRgba8)
-        color = modulate_bilinear(key, shared, at, w, color);
-    if (k.texture == TextureKind::kGeneral) color = apply_textures(state, at, color, mask);
+    if (k.textured) color = apply_textures(state, at, color, mask);
     if (k.separate_specular) {
         const int first = state.varyings.secondary;
         const auto second = [&](int i) {
@@ -158,7 +98,7 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
                                  Bin& shared_bin, const TileList& list) {
     const FragmentKey& k = key.value;
     const Bin bin = shared_bin;
-    const SharedByTiles shared(key, state);
+    const SharedByTiles shared(state);
     Interpolator at(primitive, Key::kTakesSteep && primitive.steep);
     // Where nothing that comes before the depth test can discard a fragment, the test comes first.
     const bool early = k.alpha_func == Compare::kAlways && k.coverage != Coverage::kPoint;
@@ -178,11 +118,6 @@ TERRAZZO_INLINE void shade_tiles(Key key, const FragmentState& state, const Prim
         }
         if (k.counts_samples && early) passed += static_cast<uint32_t>(std::popcount(mask));
         if (early && k.color_mask == 0) continue;
-        if (k.texture == TextureKind::kBilinearRgba8) {
-            const F32x16 w = k.perspective ? at.w() : F32x16(1.0f);
-            write_packed_rgba8(join_pairs(bilinear_texel(key, shared, at, w)), mask, bin, tile);
-            continue;
-        }
         if (k.image == PixelImage::kVerbatim) {
             write_packed_rgba8(load(at.image_tile<uint32_t, 16>(primitive)), mask, bin, tile);
             continue;

@@ -110,7 +110,7 @@ TERRAZZO_INLINE void shade_samples(Key key, const FragmentState& state, const Pr
                                    Bin& shared_bin, const SampleList& list) {
     const FragmentKey& k = key.value;
     const Bin bin = shared_bin;
-    const SharedByTiles shared(key, state);
+    const SharedByTiles shared(state);
     Interpolator corner(primitive, Key::kTakesSteep && primitive.steep);
     const float to_centre = state.multisample ? 0.5f : 0.0f;
     const bool tests = k.depth_test || k.stencil_test;
@@ -130,11 +130,6 @@ TERRAZZO_INLINE void shade_samples(Key key, const FragmentState& state, const Pr
         if (pixels == 0) continue;
         if (k.counts_samples && early) passed += masks.count();
         if (early && k.color_mask == 0) continue;
-        if (k.texture == TextureKind::kBilinearRgba8) {
-            const F32x16 w = k.perspective ? centre.w() : F32x16(1.0f);
-            write_packed_samples(key, join_pairs(bilinear_texel(key, shared, centre, w)), masks, bin, tile);
-            continue;
-        }
         if (k.image == PixelImage::kVerbatim) {
             write_packed_samples(key, load(centre.image_tile<uint32_t, 16>(primitive)), masks, bin, tile);
             continue;

@@ -32,12 +32,12 @@ TERRAZZO_INLINE void store_pixels(I32x16 packed, uint32_t mask, uint32_t* pixels
     }
 }
 
-// Whether every channel is known to lie in [0, 1]: a clamped constant, as it is or times a texel.
+// Whether every channel is known to lie in [0, 1]: a clamped constant.
 template <class Key>
 TERRAZZO_INLINE bool is_bounded(Key key) {
     const FragmentKey& k = key.value;
     return !k.interpolated_color && k.image != PixelImage::kRgba32F && !k.separate_specular &&
-           k.fog == FogMode::kNone && k.texture != TextureKind::kGeneral;
+           k.fog == FogMode::kNone && !k.textured;
 }
 
 template <class Key>
@@ -89,29 +89,26 @@ TERRAZZO_INLINE void write_packed_rgba8(I32x16 packed, uint32_t mask, const Bin&
 
 // 5-6-5 pixels live as eight bits a channel while they are worked on: widened by repeating their top bits,
 // cut off again at the end (doc/reference.md §4).
-inline I32x16 load_rgb565(const std::byte* tile) {
-    alignas(64) uint32_t wide[16];
-    for (int i = 0; i < 16; ++i) {
-        uint16_t v;
-        std::memcpy(&v, tile + i * 2, sizeof v);
-        const uint32_t r = v >> 11, g = v >> 5 & 63, b = v & 31;
-        wide[i] = (r << 3 | r >> 2) | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2) << 16 | 0xff000000u;
-    }
-    return load(wide);
+TERRAZZO_INLINE I32x16 load_rgb565(const std::byte* tile) {
+    const I32x16 v = load_shorts(reinterpret_cast<const uint16_t*>(tile));
+    const I32x16 r = shift_right_logical<11>(v), g = shift_right_logical<5>(v) & I32x16(63),
+                 b = v & I32x16(31);
+    return shift_left<3>(r) | shift_right_logical<2>(r) | shift_left<10>(g) |
+           (shift_left<4>(g) & I32x16(0x300)) | shift_left<19>(b) | (shift_left<14>(b) & I32x16(0x70000)) |
+           I32x16(static_cast<int32_t>(0xff000000u));
+}
+TERRAZZO_INLINE void store_rgb565(I32x16 pixels, uint32_t mask, std::byte* tile) {
+    uint16_t* const to = reinterpret_cast<uint16_t*>(tile);
+    const I32x16 packed = (shift_left<8>(pixels) & I32x16(0xf800)) |
+                          (shift_right_logical<5>(pixels) & I32x16(0x7e0)) |
+                          (shift_right_logical<19>(pixels) & I32x16(0x1f));
+    store_shorts(select(mask_from_bits(mask), packed, load_shorts(to)), to);
 }
 
 template <class Key>
 TERRAZZO_NOINLINE void write_rgb565(Key key, const FragmentState& state, const Color& color, uint32_t mask,
                                     std::byte* tile) {
-    alignas(64) uint32_t pixels[16];
-    store(finish_rgba8(key, state, color, load_rgb565(tile)), pixels);
-    for (int i = 0; i < 16; ++i) {
-        if (!(mask >> i & 1)) continue;
-        const uint32_t p = pixels[i];
-        const uint16_t packed =
-            static_cast<uint16_t>((p >> 3 & 31) << 11 | (p >> 10 & 63) << 5 | (p >> 19 & 31));
-        std::memcpy(tile + i * 2, &packed, sizeof packed);
-    }
+    store_rgb565(finish_rgba8(key, state, color, load_rgb565(tile)), mask, tile);
 }
 
 // The pixels of a tile, channels apart: element c of pixel i is at from[4 * i + c].
