@@ -1,6 +1,6 @@
 // Stage: test and measuring tools, starting and ending the processes that work is done in.
-// Input: a request, descriptors. Output: a process id. Invariant: the child's descriptors are the standard three and
-// the one that its answer goes to; no signal handler is needed to limit its time.
+// Input: a request, descriptors. Output: a process id. Invariant: the child's descriptors are the standard
+// three and the one that its answer goes to; no signal handler is needed to limit its time.
 #pragma once
 
 #include <sys/types.h>
