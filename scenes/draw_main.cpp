@@ -4,10 +4,14 @@
 
 #include "draw_task.h"
 #include "kit/child.h"
+#include "states/state_task.h"
 
 int main(int argc, char** argv) {
     int exit_code = 0;
-    if (terrazzo::kit::serve_child(argc, argv, {{"draw", terrazzo::draw_task}, {"info", terrazzo::info_task}},
+    if (terrazzo::kit::serve_child(argc, argv,
+                                   {{"draw", terrazzo::draw_task},
+                                    {"info", terrazzo::info_task},
+                                    {"states", terrazzo::states::state_task}},
                                    &exit_code))
         return exit_code;
     std::fputs("terrazzo-draw is started by the terrazzo command.\n", stderr);

@@ -6,7 +6,7 @@ packages_build="g++ meson ninja-build pkg-config python3 libhwy-dev khronos-api 
   libglvnd-core-dev libgl-dev libegl-dev libopengl-dev"
 packages_tests="libosmesa6-dev libgtest-dev libgmock-dev nlohmann-json3-dev libopenimageio-dev libcli11-dev libfmt-dev
   libbenchmark-dev libtinygltf-dev libstb-dev libglfw3-dev libsdl2-dev assimp-testmodels xvfb python3-opengl
-  python3-pyglet mesa-utils apitrace python3-numpy python3-pil xfonts-base libgl1-mesa-dri"
+  python3-pyglet mesa-utils apitrace gnuplot-nox python3-numpy python3-pil xfonts-base libgl1-mesa-dri"
 packages_programs="gltron neverball chromium-bsu billard-gl armagetronad foobillardplus openscenegraph xscreensaver-gl
   xscreensaver-gl-extra rss-glx libirrlicht-dev python3-venv"
 packages_piglit="piglit"

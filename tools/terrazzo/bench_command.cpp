@@ -109,7 +109,10 @@ void add_bench_command(CLI::App& app) {
                         "Write the figures as JSON; - for standard output only");
     add_model_options(*command, options->model);
     command->add_flag("-q,--quiet", options->quiet, "No progress");
-    command->callback([options] { run(*options); });
+    add_states_command(*command);
+    command->callback([options, command] {
+        if (command->get_subcommands().empty()) run(*options);
+    });
 }
 
 }  // namespace terrazzo
