@@ -23,6 +23,8 @@
 #define TERRAZZO_CONCAT(a, b) TERRAZZO_CONCAT_(a, b)
 #define TERRAZZO_ISA_NAMESPACE TERRAZZO_CONCAT(isa_, TERRAZZO_ISA)
 #define TERRAZZO_INLINE inline __attribute__((always_inline))
+// The same of a lambda, behind its parameters.
+#define TERRAZZO_INLINE_LAMBDA __attribute__((always_inline))
 // For what runs rarely or long: compiled once, however many kernels call it.
 #define TERRAZZO_NOINLINE inline __attribute__((noinline))
 // Sixteen copies of everything would only be slow to compile.
@@ -373,29 +375,6 @@ TERRAZZO_INLINE I32x16 multiply_small(I32x16 a, I32x16 b) {
 #endif
 }
 
-// base[index] and base[index + 1] a lane.
-struct I32x16Pair {
-    I32x16 first, second;
-};
-TERRAZZO_INLINE I32x16Pair gather_pairs(const int32_t* base, I32x16 index) {
-    I32x16Pair r;
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET <= HWY_AVX3
-    // Half as many loads as two gathers of single words.
-    const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(index.part[0].raw), base, 4);
-    const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.part[0].raw, 1), base, 4);
-    const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-    r.first.part[0].raw = _mm512_permutex2var_epi32(low, even, high);
-    r.second.part[0].raw = _mm512_permutex2var_epi32(low, _mm512_add_epi32(even, _mm512_set1_epi32(1)), high);
-#else
-    alignas(64) int32_t at[16], first[16], second[16];
-    store(index, at);
-    for (int i = 0; i < 16; ++i) first[i] = base[at[i]], second[i] = base[at[i] + 1];
-    r.first = load(first);
-    r.second = load(second);
-#endif
-    return r;
-}
-
 // base[index[i]] and base[index[i] + 1] for the lanes i of one native vector; `index` was written long enough
 // ago to be read word by word. Loads of eight bytes and a transposition: two thirds to half of what gathers
 // take on the processors measured.
@@ -404,14 +383,14 @@ struct NativePair {
 };
 TERRAZZO_INLINE NativePair load_pairs(const int32_t* base, const int32_t* index) {
 #if defined(TERRAZZO_X86)
-    const auto two = [&](int i, int j) {
+    const auto two = [&](int i, int j) TERRAZZO_INLINE_LAMBDA {
         const auto* const low = reinterpret_cast<const __m128i*>(base + index[i]);
         const auto* const high = reinterpret_cast<const __m64*>(base + index[j]);
         return _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(low)), high);
     };
     NativePair r;
 #if HWY_TARGET <= HWY_AVX3
-    const auto blocks = [&](int i) {
+    const auto blocks = [&](int i) TERRAZZO_INLINE_LAMBDA {
         const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(two(i, i + 1)), two(i + 4, i + 5), 1);
         const __m256 high =
             _mm256_insertf128_ps(_mm256_castps128_ps256(two(i + 8, i + 9)), two(i + 12, i + 13), 1);
@@ -421,7 +400,7 @@ TERRAZZO_INLINE NativePair load_pairs(const int32_t* base, const int32_t* index)
     r.first.raw = _mm512_castps_si512(_mm512_shuffle_ps(even, odd, 0x88));
     r.second.raw = _mm512_castps_si512(_mm512_shuffle_ps(even, odd, 0xdd));
 #elif HWY_TARGET <= HWY_AVX2
-    const auto blocks = [&](int i) {
+    const auto blocks = [&](int i) TERRAZZO_INLINE_LAMBDA {
         return _mm256_insertf128_ps(_mm256_castps128_ps256(two(i, i + 1)), two(i + 4, i + 5), 1);
     };
     const __m256 even = blocks(0), odd = blocks(2);
@@ -445,6 +424,88 @@ TERRAZZO_INLINE NativePair load_pairs(const int32_t* base, const int32_t* index)
     const auto even = two(0, 1), odd = two(2, 3);
     return {hn::ConcatEven(TagI(), odd, even), hn::ConcatOdd(TagI(), odd, even)};
 #endif
+}
+
+// base[index] and base[index + 1] a lane.
+struct I32x16Pair {
+    I32x16 first, second;
+};
+TERRAZZO_INLINE I32x16Pair gather_pairs(const int32_t* base, I32x16 index) {
+    I32x16Pair r;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET <= HWY_AVX3
+    // Half as many loads as two gathers of single words.
+    const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(index.part[0].raw), base, 4);
+    const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.part[0].raw, 1), base, 4);
+    const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    r.first.part[0].raw = _mm512_permutex2var_epi32(low, even, high);
+    r.second.part[0].raw = _mm512_permutex2var_epi32(low, _mm512_add_epi32(even, _mm512_set1_epi32(1)), high);
+#else
+    alignas(64) int32_t at[16], first[16], second[16];
+    store(index, at);
+    for (int i = 0; i < 16; ++i) first[i] = base[at[i]], second[i] = base[at[i] + 1];
+    r.first = load(first);
+    r.second = load(second);
+#endif
+    return r;
+}
+
+// The same by load_pairs, for who has nothing else to do meanwhile: better than gathers, and worse than
+// words that the compiler picks itself where other work can go on beside the loads.
+TERRAZZO_INLINE I32x16Pair gather_pairs_from_memory(const int32_t* base, I32x16 index) {
+    alignas(64) int32_t at[16];
+    store(index, at);
+    // Or gcc takes the words out of the vector again, one by one.
+    __asm__ volatile("" : "+m"(at));
+    I32x16Pair r;
+    TERRAZZO_FOR_PARTS {
+        const NativePair pair = load_pairs(base, at + p * kNativeLanes);
+        r.first.part[p] = pair.first;
+        r.second.part[p] = pair.second;
+    }
+    return r;
+}
+
+// The four floats from base[4 * index] on a lane, the same number of each lane together.
+struct F32x16Four {
+    F32x16 value[4];
+};
+TERRAZZO_INLINE F32x16Four gather_fours(const float* base, I32x16 index) {
+    F32x16Four r;
+#if defined(TERRAZZO_X86)
+    alignas(64) int32_t at[16];
+    store(index, at);
+    __asm__ volatile("" : "+m"(at));
+    TERRAZZO_FOR_PARTS {
+        const auto four = [&](int i) TERRAZZO_INLINE_LAMBDA {
+            return _mm_loadu_ps(base + 4 * static_cast<std::ptrdiff_t>(at[p * kNativeLanes + i]));
+        };
+#if HWY_TARGET <= HWY_AVX3
+        const auto row = [&](int i) TERRAZZO_INLINE_LAMBDA {
+            const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(four(i)), four(i + 4), 1);
+            const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(four(i + 8)), four(i + 12), 1);
+            return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1);
+        };
+#elif HWY_TARGET <= HWY_AVX2
+        const auto row = [&](int i) TERRAZZO_INLINE_LAMBDA {
+            return _mm256_insertf128_ps(_mm256_castps128_ps256(four(i)), four(i + 4), 1);
+        };
+#else
+        const auto row = four;
+#endif
+        // Four by four, transposed.
+        const auto v0 = row(0), v1 = row(1), v2 = row(2), v3 = row(3);
+        const auto t0 = TERRAZZO_X86(unpacklo_ps)(v0, v1), t1 = TERRAZZO_X86(unpackhi_ps)(v0, v1),
+                   t2 = TERRAZZO_X86(unpacklo_ps)(v2, v3), t3 = TERRAZZO_X86(unpackhi_ps)(v2, v3);
+        r.value[0].part[p].raw = TERRAZZO_X86(shuffle_ps)(t0, t2, 0x44);
+        r.value[1].part[p].raw = TERRAZZO_X86(shuffle_ps)(t0, t2, 0xee);
+        r.value[2].part[p].raw = TERRAZZO_X86(shuffle_ps)(t1, t3, 0x44);
+        r.value[3].part[p].raw = TERRAZZO_X86(shuffle_ps)(t1, t3, 0xee);
+    }
+#else
+    const I32x16 first = shift_left<2>(index);
+    for (int i = 0; i < 4; ++i) r.value[i] = gather(base + i, first);
+#endif
+    return r;
 }
 
 TERRAZZO_INLINE I32x16 as_int(F32x16 a) {

@@ -112,7 +112,8 @@ class AnyTexels {
         const Mask16 inside = x.first_inside & row.inside;
         if (m_sampler.storage != TexelStorage::kDepth)
             return fetch_float(m_sampler, m_level, row.start + x.first, inside);
-        return depth_color(m_sampler, depth_value(m_sampler, m_level, row.start + x.first, inside, m_r));
+        const I32x16 texel = gather(static_cast<const int32_t*>(m_level.texels), row.start + x.first);
+        return depth_color(m_sampler, depth_value(m_sampler, texel, inside, m_r));
     }
 
   private:

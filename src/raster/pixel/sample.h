@@ -126,7 +126,7 @@ TERRAZZO_INLINE I32x16 fetch_rgba8(const MipLevel& level, I32x16 x, I32x16 y) {
 TERRAZZO_INLINE I32x16Pair fetch_neighbours(const MipLevel& level, const FixedAxis& x, I32x16 row,
                                             bool adjacent) {
     const int32_t* const texels = static_cast<const int32_t*>(level.texels);
-    if (adjacent) return gather_pairs(texels, row + x.first);
+    if (adjacent) return gather_pairs_from_memory(texels, row + x.first);
     return {gather(texels, row + x.first), gather(texels, row + x.second)};
 }
 
@@ -284,22 +284,33 @@ TERRAZZO_INLINE FloatAxis no_axis() {
     return {I32x16(0), I32x16(0), mask_from_bits(0xffff), mask_from_bits(0xffff), F32x16(0.0f)};
 }
 
-// The texel `index` texels after the first.
-TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 index,
-                                  Mask16 inside) {
-    Color c;
-    if (sampler.storage == TexelStorage::kRgba8) {
-        const Color8 texel = unpack_rgba8(gather(static_cast<const int32_t*>(level.texels), index));
-        c = from_color8(texel);
-    } else {
-        const float* const texels = static_cast<const float*>(level.texels);
-        const I32x16 first = shift_left<2>(index);
-        c = {gather(texels, first), gather(texels + 1, first), gather(texels + 2, first),
-             gather(texels + 3, first)};
-    }
+// The texels at columns x.first and x.second of a row, whose first texel each lane's `row` counts from the
+// level's.
+TERRAZZO_INLINE I32x16Pair fetch_row_pair(const MipLevel& level, I32x16 row, const FloatAxis& x) {
+    const int32_t* const texels = static_cast<const int32_t*>(level.texels);
+    // Neighbours, but where coordinates wrap round or are clamped.
+    if (!any(x.second != x.first + I32x16(1))) return gather_pairs_from_memory(texels, row + x.first);
+    return {gather(texels, row + x.first), gather(texels, row + x.second)};
+}
+
+TERRAZZO_INLINE Color with_border(const Sampler& sampler, Mask16 inside, const Color& c) {
     const float* const b = sampler.border_color;
     return {select(inside, c.r, b[0]), select(inside, c.g, b[1]), select(inside, c.b, b[2]),
             select(inside, c.a, b[3])};
+}
+
+TERRAZZO_NOINLINE Color fetch_floats(const MipLevel& level, I32x16 index) {
+    const F32x16Four four = gather_fours(static_cast<const float*>(level.texels), index);
+    return {four.value[0], four.value[1], four.value[2], four.value[3]};
+}
+
+// The texel `index` texels after the first.
+TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 index,
+                                  Mask16 inside) {
+    if (sampler.storage != TexelStorage::kRgba8)
+        return with_border(sampler, inside, fetch_floats(level, index));
+    const I32x16 texel = gather(static_cast<const int32_t*>(level.texels), index);
+    return with_border(sampler, inside, from_color8(unpack_rgba8(texel)));
 }
 
 TERRAZZO_INLINE Color lerp(Color a, Color b, F32x16 t) {
@@ -340,9 +351,7 @@ TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& lev
 }
 
 // A texel of a depth texture as a float, with the reference's roundings: of 32 bits 23 count.
-TERRAZZO_INLINE F32x16 fetch_depth(const Sampler& sampler, const MipLevel& level, I32x16 index,
-                                   Mask16 inside) {
-    const I32x16 integer = gather(static_cast<const int32_t*>(level.texels), index);
+TERRAZZO_INLINE F32x16 depth_of_texel(const Sampler& sampler, I32x16 integer, Mask16 inside) {
     F32x16 depth;
     if (sampler.depth_bits == 32) {
         const I32x16 above_one = shift_right_logical<9>(integer) | I32x16(0x3f800000);
@@ -355,9 +364,8 @@ TERRAZZO_INLINE F32x16 fetch_depth(const Sampler& sampler, const MipLevel& level
 }
 
 // The depth, or the result of comparing r with it.
-TERRAZZO_INLINE F32x16 depth_value(const Sampler& sampler, const MipLevel& level, I32x16 index, Mask16 inside,
-                                   F32x16 r) {
-    const F32x16 zero(0.0f), one(1.0f), depth = fetch_depth(sampler, level, index, inside);
+TERRAZZO_INLINE F32x16 depth_value(const Sampler& sampler, I32x16 texel, Mask16 inside, F32x16 r) {
+    const F32x16 zero(0.0f), one(1.0f), depth = depth_of_texel(sampler, texel, inside);
     if (!sampler.compares) return depth;
     return select(compare(sampler.compare_func, clamp(r, zero, one), depth), one, zero);
 }
@@ -380,23 +388,21 @@ TERRAZZO_NOINLINE Color sample_depth(const Sampler& sampler, const MipLevel& lev
     const FloatAxis x = float_axis(sampler.wrap_s, filter, at.s, level.width);
     FloatAxis y = no_axis();
     if (sampler.dimensions > 1) y = float_axis(sampler.wrap_t, filter, at.t, level.height);
-    const auto texel = [&](I32x16 column, I32x16 row, Mask16 inside) {
-        return depth_value(sampler, level, row * I32x16(level.pitch) + column, inside, at.r);
-    };
+    const I32x16 pitch(level.pitch);
+    if (filter == Filter::kNearest) {
+        const I32x16 texel = gather(static_cast<const int32_t*>(level.texels), y.first * pitch + x.first);
+        return depth_color(sampler, depth_value(sampler, texel, x.first_inside & y.first_inside, at.r));
+    }
     // Results are weighed as sums of two products, depths by differences.
-    const auto along_x = [&](F32x16 first, F32x16 second) {
+    const auto along_x = [&](I32x16 row, Mask16 inside) TERRAZZO_INLINE_LAMBDA {
+        const I32x16Pair texels = fetch_row_pair(level, row * pitch, x);
+        const F32x16 first = depth_value(sampler, texels.first, x.first_inside & inside, at.r),
+                     second = depth_value(sampler, texels.second, x.second_inside & inside, at.r);
         return sampler.compares ? first * (F32x16(1.0f) - x.weight) + second * x.weight
                                 : first + x.weight * (second - first);
     };
-    F32x16 value = texel(x.first, y.first, x.first_inside & y.first_inside);
-    if (filter == Filter::kLinear) {
-        value = along_x(value, texel(x.second, y.first, x.second_inside & y.first_inside));
-        if (sampler.dimensions > 1) {
-            const F32x16 high = along_x(texel(x.first, y.second, x.first_inside & y.second_inside),
-                                        texel(x.second, y.second, x.second_inside & y.second_inside));
-            value = value + y.weight * (high - value);
-        }
-    }
+    F32x16 value = along_x(y.first, y.first_inside);
+    if (sampler.dimensions > 1) value = value + y.weight * (along_x(y.second, y.second_inside) - value);
     return depth_color(sampler, value);
 }
 

@@ -76,7 +76,7 @@ TERRAZZO_INLINE I32x16 blend_equation(BlendEquation equation, const PackedBlend&
 
 // A product with 255 is the other factor, and one with 0 is 0: no factor needs to be told apart.
 TERRAZZO_INLINE I32x16 blend_packed(const FragmentState& state, const PackedBlend& in) {
-    const auto weighed = [&](BlendFactor colors, BlendFactor alpha, I32x16 v) {
+    const auto weighed = [&](BlendFactor colors, BlendFactor alpha, I32x16 v) TERRAZZO_INLINE_LAMBDA {
         const bool same = colors == alpha;
         const I32x16 factor = blend_factor(colors, in);
         return multiply_bytes(v, same ? factor : apart(false, factor, blend_factor(alpha, in)));

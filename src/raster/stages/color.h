@@ -2,6 +2,8 @@
 // (GL 1.5 §3.8.13, §3.9, §3.10), quantised to what the rest of its way works with.
 #pragma once
 
+#include <type_traits>
+
 #include "raster/pixel/combine.h"
 #include "raster/pixel/fog_alpha.h"
 #include "raster/stages/place.h"
@@ -12,8 +14,9 @@ using namespace raster;
 
 enum class Environments : uint8_t {
     kNone,
-    kModulate,  // one unit, 8-bit texels
-    kGeneral,
+    kModulate,  // of all units, which have 8-bit texels
+    kGeneral,   // no unit combines
+    kCombine,
 };
 
 TERRAZZO_INLINE Color varying_color(const Interpolator& at, int first, bool flat, F32x16 w) {
@@ -38,25 +41,120 @@ TERRAZZO_INLINE Color color_of_texel(const FragmentState& state, const TextureSt
     return {load(channels), load(channels + 16), load(channels + 32), load(channels + 48)};
 }
 
-TERRAZZO_INLINE Color apply_environments(const FragmentState& state, Batch& batch, int entry,
-                                         const Color& primary) {
-    Color texels[kMaxTextureUnits];
+TERRAZZO_INLINE Color modulate_all(const FragmentState& state, Batch& batch, int entry, Color c) {
     for (int u = 0; u < state.texture_count; ++u) {
         const TextureStage& stage = state.textures[u];
-        texels[stage.unit] = color_of_texel(state, stage, batch, entry);
+        const auto* const texels = reinterpret_cast<const uint32_t*>(texels_of(state, stage, batch, entry));
+        const Color t = color_of_packed(load(texels) | missing_channels(stage.base_format));
+        c = {c.r * t.r, c.g * t.g, c.b * t.b, c.a * t.a};
     }
-    CombineInput in{texels, primary, primary, {}};
+    return c;
+}
+
+TERRAZZO_INLINE Color apply_environments(const FragmentState& state, Batch& batch, int entry, Color c) {
     for (int u = 0; u < state.texture_count; ++u) {
         const TextureStage& stage = state.textures[u];
-        if (stage.mode != EnvMode::kCombine) {
-            in.previous = combine_inline(stage, in.previous, texels[stage.unit]);
-        } else {
-            in.constant = uniform_color(stage.env_color);
-            in.previous = combine_general(stage, in);
+        c = combine_inline(stage, c, color_of_texel(state, stage, batch, entry));
+    }
+    return c;
+}
+
+// Colours as combiners choose from them: in memory, a channel at a time.
+struct ColorChannels {
+    alignas(64) float channel[4][kTilePixels];
+
+    TERRAZZO_INLINE void operator=(const Color& c) {
+        store(c.r, channel[0]), store(c.g, channel[1]), store(c.b, channel[2]), store(c.a, channel[3]);
+    }
+    TERRAZZO_INLINE Color color() const {
+        return {load(channel[0]), load(channel[1]), load(channel[2]), load(channel[3])};
+    }
+};
+
+class Combiner {
+  public:
+    TERRAZZO_INLINE Combiner() {
+        m_zero = Color{0.0f, 0.0f, 0.0f, 0.0f};
+        m_one = Color{1.0f, 1.0f, 1.0f, 1.0f};
+    }
+
+    TERRAZZO_INLINE Color combine_all(const FragmentState& state, Batch& batch, int entry,
+                                      const Color& primary) {
+        for (int u = 0; u < state.texture_count; ++u) {
+            const TextureStage& stage = state.textures[u];
+            m_texels[stage.unit] = color_of_texel(state, stage, batch, entry);
+        }
+        m_primary = primary;
+        m_previous = primary;
+        for (int u = 0; u < state.texture_count; ++u) {
+            const TextureStage& stage = state.textures[u];
+            m_previous = stage.mode == EnvMode::kCombine
+                             ? combine(stage)
+                             : combine_inline(stage, m_previous.color(), m_texels[stage.unit].color());
+        }
+        return m_previous.color();
+    }
+
+  private:
+    TERRAZZO_INLINE const ColorChannels& source(CombineSource source) const {
+        switch (source) {
+            case CombineSource::kPrimary:
+                return m_primary;
+            case CombineSource::kPrevious:
+                return m_previous;
+            case CombineSource::kConstant:
+                return m_constant;
+            case CombineSource::kZero:
+                return m_zero;
+            case CombineSource::kOne:
+                return m_one;
+            default:
+                return m_texels[static_cast<int>(source)];
         }
     }
-    return in.previous;
-}
+    TERRAZZO_INLINE F32x16 argument(const CombineArgument& a, int channel) const {
+        return load(source(a.source).channel[a.alpha ? 3 : channel]);
+    }
+    TERRAZZO_INLINE F32x16 channel(const CombineHalf& half, int channel) const {
+        return combine_channel(half, argument(half.arguments[0], channel),
+                               argument(half.arguments[1], channel), argument(half.arguments[2], channel));
+    }
+
+    // As combine_general.
+    TERRAZZO_INLINE Color combine(const TextureStage& stage) {
+        const auto bounded = [](F32x16 v)
+                                 TERRAZZO_INLINE_LAMBDA { return clamp(v, F32x16(0.0f), F32x16(1.0f)); };
+        m_constant = uniform_color(stage.env_color);
+        const CombineHalf &rgb = stage.rgb, &alpha = stage.alpha;
+        F32x16 out[4];
+        if (is_dot3(rgb.function)) {
+            const auto color = [&](const CombineArgument& a) TERRAZZO_INLINE_LAMBDA {
+                return Color{argument(a, 0), argument(a, 1), argument(a, 2), F32x16(0.0f)};
+            };
+            out[0] = out[1] = out[2] = combine_dot3(rgb, color(rgb.arguments[0]), color(rgb.arguments[1]));
+        } else {
+            for (int c = 0; c < 3; ++c) out[c] = channel(rgb, c);
+        }
+        // What is scaled is bounded afterwards.
+        if (rgb.scale == 1 && leaves_range(rgb.function))
+            for (int c = 0; c < 3; ++c) out[c] = bounded(out[c]);
+        if (rgb.function == CombineFunction::kDot3Rgba) {
+            out[3] = out[0];
+        } else {
+            out[3] = channel(alpha, 3);
+            if (alpha.scale == 1 && leaves_range(alpha.function)) out[3] = bounded(out[3]);
+        }
+        if (rgb.scale != 1 || alpha.scale != 1) {
+            for (int c = 0; c < 3; ++c) out[c] = bounded(out[c] * F32x16(rgb.scale));
+            out[3] = bounded(out[3] * F32x16(alpha.scale));
+        }
+        return {out[0], out[1], out[2], out[3]};
+    }
+
+    ColorChannels m_texels[kMaxTextureUnits];
+    ColorChannels m_primary, m_previous, m_constant, m_zero, m_one;
+};
+struct NoCombiner {};
 
 // `kPlain`: no flat colours, no secondary colour and no fog.
 template <bool kInterpolated, Environments kEnvironments, bool kPlain>
@@ -65,11 +163,7 @@ void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     const Color constant = uniform_color(state.constant_color);
     const Varyings v = state.varyings;
     const bool perspective = k.perspective, has_w = state.texture_count != 0, flat = !kPlain && k.flat_color;
-    const TextureStage* const stage = state.textures;
-    const I32x16 missing =
-        kEnvironments == Environments::kModulate ? missing_channels(stage->base_format) : I32x16(0);
-    const std::byte* const texels =
-        kEnvironments == Environments::kModulate ? texels_of(state, *stage, batch, 0) : nullptr;
+    std::conditional_t<kEnvironments == Environments::kCombine, Combiner, NoCombiner> combiner;
     // Tested against alpha as it is unless the buffer has eight bits of it.
     const bool keeps_alpha = k.alpha_func != Compare::kAlways && k.color_format != ColorFormat::kRgba8;
     for (int i = 0; i < batch.count; ++i) {
@@ -80,15 +174,12 @@ void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
             if (perspective) w = has_w ? load(batch.w[i]) : at.w();
         }
         if constexpr (kInterpolated) c = varying_color(at, v.color, flat, w);
-        if constexpr (kEnvironments == Environments::kModulate) {
-            const I32x16 texel = load(reinterpret_cast<const uint32_t*>(texels) + i * kTilePixels) | missing;
-            const Color t = color_of_packed(texel);
-            c = {c.r * t.r, c.g * t.g, c.b * t.b, c.a * t.a};
-        }
+        if constexpr (kEnvironments == Environments::kModulate) c = modulate_all(state, batch, i, c);
         if constexpr (kEnvironments == Environments::kGeneral) c = apply_environments(state, batch, i, c);
+        if constexpr (kEnvironments == Environments::kCombine) c = combiner.combine_all(state, batch, i, c);
         if constexpr (!kPlain) {
             if (k.separate_specular) {
-                const auto second = [&](int channel) {
+                const auto second = [&](int channel) TERRAZZO_INLINE_LAMBDA {
                     if (v.secondary < 0) return F32x16(state.constant_secondary[channel]);
                     return flat ? at.constant(v.secondary + channel) : at.varying(v.secondary + channel) * w;
                 };
@@ -101,21 +192,36 @@ void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     }
 }
 
+inline Environments environments_of(const FragmentState& state) {
+    if (state.texture_count == 0) return Environments::kNone;
+    bool modulate = true;
+    for (int u = 0; u < state.texture_count; ++u) {
+        const TextureStage& stage = state.textures[u];
+        if (stage.mode == EnvMode::kCombine) return Environments::kCombine;
+        modulate = modulate && stage.mode == EnvMode::kModulate && !stage.texels_are_floats;
+    }
+    return modulate ? Environments::kModulate : Environments::kGeneral;
+}
+
 template <bool kInterpolated>
 TERRAZZO_INLINE Stage choose_color_stage(const FragmentState& state) {
     const FragmentKey& k = state.key;
     const bool plain = !k.flat_color && !k.separate_specular && k.fog == FogMode::kNone;
-    const bool modulates = state.texture_count == 1 && state.textures[0].mode == EnvMode::kModulate &&
-                           !state.textures[0].texels_are_floats;
-    const auto among = [plain](Stage if_plain, Stage other) { return plain ? if_plain : other; };
-    if (state.texture_count == 0)
-        return among(color_stage<kInterpolated, Environments::kNone, true>,
-                     color_stage<kInterpolated, Environments::kNone, false>);
-    if (modulates)
-        return among(color_stage<kInterpolated, Environments::kModulate, true>,
-                     color_stage<kInterpolated, Environments::kModulate, false>);
-    return among(color_stage<kInterpolated, Environments::kGeneral, true>,
-                 color_stage<kInterpolated, Environments::kGeneral, false>);
+    switch (environments_of(state)) {
+        case Environments::kNone:
+            return plain ? color_stage<kInterpolated, Environments::kNone, true>
+                         : color_stage<kInterpolated, Environments::kNone, false>;
+        case Environments::kModulate:
+            return plain ? color_stage<kInterpolated, Environments::kModulate, true>
+                         : color_stage<kInterpolated, Environments::kModulate, false>;
+        case Environments::kGeneral:
+            return plain ? color_stage<kInterpolated, Environments::kGeneral, true>
+                         : color_stage<kInterpolated, Environments::kGeneral, false>;
+        case Environments::kCombine:
+            break;
+    }
+    return plain ? color_stage<kInterpolated, Environments::kCombine, true>
+                 : color_stage<kInterpolated, Environments::kCombine, false>;
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -71,7 +71,7 @@ inline void general_sample_stage(const FragmentState& state, const TextureStage&
 // lambda of the pixels on a texture of one or two dimensions, as level_of_detail has it.
 TERRAZZO_INLINE F32x16 plane_lambda(const Sampler& sampler, F32x16 s, F32x16 t) {
     F32x16 rho_x(0.0f), rho_y(0.0f);
-    const auto add = [&](F32x16 coordinate, int32_t size) {
+    const auto add = [&](F32x16 coordinate, int32_t size) TERRAZZO_INLINE_LAMBDA {
         const F32x16 u = coordinate * F32x16(static_cast<float>(size));
         const F32x16 du_dx = swap_columns(u) - u, du_dy = swap_rows(u) - u;
         rho_x = rho_x + du_dx * du_dx, rho_y = rho_y + du_dy * du_dy;
@@ -129,7 +129,7 @@ inline void mipmapped_stage(const FragmentState& state, const TextureStage& stag
     const int count = batch.count;
     LevelChoice choices[kBatchTiles];
     alignas(64) Batch::Words weights[kBatchTiles];
-    const auto filter_of = [&](const LevelChoice& choice) {
+    const auto filter_of = [&](const LevelChoice& choice) TERRAZZO_INLINE_LAMBDA {
         return choice.kind == LevelChoice::kMagnified ? sampler.mag_filter : sampler.min_filter;
     };
     for (int i = 0; i < count; ++i) {
