@@ -132,7 +132,7 @@ constexpr Value kFogs[] = {{"none", {0}}, {"linear", {GL_LINEAR}}, {"exp", {GL_E
 // Function, reference in 255ths.
 constexpr Value kAlphas[] = {{"off", {0}},
                              {"greater", {GL_GREATER, 128}},
-                             {"less", {GL_LESS, 160}},
+                             {"less", {GL_LESS, 230}},
                              {"gequal", {GL_GEQUAL, 64}},
                              {"always", {GL_ALWAYS, 0}}};
 

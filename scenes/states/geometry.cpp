@@ -7,6 +7,8 @@ namespace terrazzo::states {
 namespace {
 
 constexpr float kTextureRepeats = 3;
+// So that lines of the mesh do not run along edges of texels, where a rounding decides which one is nearest.
+constexpr float kTextureStart[2] = {0.0137F, 0.0191F};
 
 // Centre and extent; the eye looks along -z from the origin and sees 3 by 3 at z = -3.
 struct Sheet {
@@ -49,14 +51,14 @@ Vertex make_vertex(int sheet_number, float u, float v) {
     vertex.position[2] = sheet.centre[2] - 0.8F * (v - 0.5F) + wave(u, v);
     set_normal(vertex, sheet, u, v);
     set_colour(vertex, u, v, sheet_number);
-    vertex.texture[0] = kTextureRepeats * u;
-    vertex.texture[1] = kTextureRepeats * v;
+    vertex.texture[0] = kTextureRepeats * u + kTextureStart[0];
+    vertex.texture[1] = kTextureRepeats * v + kTextureStart[1];
     vertex.texture[2] = (u + v) / 2;
     vertex.direction[0] = 2.4F * u - 1.2F;
     vertex.direction[1] = 2.4F * v - 1.2F;
     vertex.direction[2] = 0.9F;
-    vertex.light_map[0] = u;
-    vertex.light_map[1] = v;
+    vertex.light_map[0] = u + kTextureStart[0];
+    vertex.light_map[1] = v + kTextureStart[1];
     return vertex;
 }
 

@@ -128,6 +128,21 @@ State State::parse(std::string_view text) {
     return state;
 }
 
+const char* reference_defect(const State& state) {
+    const bool has_samples = state.number(Axis::kSamples) > 1;
+    const bool is_filled = draws_polygons(state) && state.number(Axis::kPrimitive, 3) == GL_FILL;
+    if (has_samples && state.number(Axis::kScissor))
+        return "with samples a pixel beyond the scissor is drawn";
+    if (has_samples && !is_filled)
+        return "with samples lines and points lose pixels where a block of pixels ends";
+    if (!is_filled && state.number(Axis::kStencil) == kSides)
+        return "lines and points of back sides undergo the stencil test of front sides";
+    const bool is_stippled = state.number(Axis::kPrimitive, 2) == GL_POLYGON_STIPPLE;
+    if (is_stippled && state.number(Axis::kTexels) == kRendered)
+        return "the polygon stipple of a window is turned over after drawing to an object";
+    return nullptr;
+}
+
 State settled(State state) {
     settle_texturing(state);
     settle_primitives(state);

@@ -39,6 +39,9 @@ class State {
 // The nearest state that is valid and whose every setting has a meaning.
 State settled(State state);
 
+// What Debian's OSMesa is known to draw wrongly of the state (doc/reference.md §3.3, §3.4); null: nothing.
+const char* reference_defect(const State& state);
+
 struct NamedState {
     std::string name;
     State state;

@@ -8,7 +8,7 @@
 
 namespace terrazzo::states {
 
-inline constexpr float kBackground[4] = {0.30F, 0.35F, 0.42F, 0.5F};
+inline constexpr float kBackground[4] = {0.30F, 0.35F, 0.42F, 0.8F};
 
 class StateDrawing : public kit::Drawing {
   public:

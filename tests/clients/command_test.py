@@ -91,6 +91,8 @@ def models(folder):
     expect(1, "not drawn with quantum", *states, "--isa", "quantum")
     expect(1, "there is no folder", *states, "--pictures", folder / "no")
     expect(1, "cannot write", *states, "--json", folder / "no" / "states.json")
+    expect(0, "1 states drawn", *smoke, "--check", "--state", "fog=exp primitive=strips")
+    expect(1, "fog has no value thick", *smoke, "--state", "fog=thick")
     expect(None, "--samples", *states, "--samples", 3)
     expect(None, "--size", *states, "--size", 0)
     expect(1, "there is no display", "view", "--system", good)

@@ -49,6 +49,16 @@ TEST(States, WhatHasNoMeaningIsAtItsDefault) {
               "units=one format=depth-compare");
 }
 
+TEST(States, DefectsOfTheReferenceAreFew) {
+    EXPECT_EQ(reference_defect(State()), nullptr);
+    EXPECT_NE(reference_defect(State::parse("samples=four scissor=on")), nullptr);
+    EXPECT_NE(reference_defect(State::parse("samples=four primitive=mode-line")), nullptr);
+    EXPECT_EQ(reference_defect(State::parse("samples=four")), nullptr);
+    // What is measured by name is also compared.
+    for (const NamedState& named : named_states())
+        EXPECT_EQ(reference_defect(named.state), nullptr) << named.name;
+}
+
 TEST(List, HasEnoughStatesOverThreeGeometries) {
     const std::vector<NamedState> states = named_states();
     std::map<std::size_t, int> by_geometry;
