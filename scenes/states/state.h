@@ -39,7 +39,8 @@ class State {
 // The nearest state that is valid and whose every setting has a meaning.
 State settled(State state);
 
-// What Debian's OSMesa is known to draw wrongly of the state (doc/reference.md §3.3, §3.4); null: nothing.
+// What Debian's OSMesa is known to draw wrongly of the state (doc/reference.md §3.3, §3.4, §4); null:
+// nothing.
 const char* reference_defect(const State& state);
 
 struct NamedState {

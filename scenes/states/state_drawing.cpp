@@ -29,7 +29,8 @@ void StateDrawing::prepare(const kit::Gl& gl, int width, int height) {
     // The object that stands in for a window with samples.
     gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_window_object);
     gl.Viewport(0, 0, width, height);
-    gl.ClearColor(kBackground[0], kBackground[1], kBackground[2], kBackground[3]);
+    const auto& background = m_state.is(Axis::kBlend, "min") ? kLightBackground : kBackground;
+    gl.ClearColor(background[0], background[1], background[2], background[3]);
     if (m_state.is(Axis::kDepth, "greater")) gl.ClearDepth(0);
     apply_vertex_state(gl, m_state);
     apply_raster_state(gl, m_state);

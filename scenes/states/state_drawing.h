@@ -9,6 +9,8 @@
 namespace terrazzo::states {
 
 inline constexpr float kBackground[4] = {0.30F, 0.35F, 0.42F, 0.8F};
+// Where the lesser of two colours is kept.
+inline constexpr float kLightBackground[4] = {0.95F, 0.97F, 1, 0.8F};
 
 class StateDrawing : public kit::Drawing {
   public:
