@@ -103,9 +103,12 @@ TEST_F(GlxLife, ContextAttributesAreCheckedAsSpecified) {
         {"reset strategy", {kReset, GLX_LOSE_CONTEXT_ON_RESET_ARB}, -1, -1},
         {"release behaviour", {kRelease, GLX_CONTEXT_RELEASE_BEHAVIOR_NONE_ARB}, -1, -1},
         {"no errors wanted", {kNoError, 1}, -1, -1},
+        {"the configuration's screen", {GLX_SCREEN, DefaultScreen(display)}, -1, -1},
 
         {"an unknown attribute", {0x7777, 1}, BadValue, -1},
         {"an attribute of configurations", {GLX_SAMPLES, 4}, BadValue, -1},
+        {"a screen that is none", {GLX_SCREEN, ScreenCount(display)}, BadValue, -1},
+        {"a screen below zero", {GLX_SCREEN, -1}, BadValue, -1},
         {"an unknown flag", {kFlags, 0x100}, BadValue, -1},
         {"an unknown reset strategy", {kReset, 1}, BadValue, -1},
         {"an unknown release behaviour", {kRelease, 77}, BadValue, -1},

@@ -52,6 +52,8 @@ struct Request {
     int major = 1, minor = 0;
     int flags = 0, profile = GLX_CONTEXT_CORE_PROFILE_BIT_ARB;
     int render_type = GLX_RGBA_TYPE;
+    std::optional<int>
+        screen;  // named where there is no configuration to tell it (GLX_EXT_no_config_context)
     bool no_error = false;
 };
 
@@ -76,6 +78,9 @@ std::optional<Request> parse(const int* list) {
             case GLX_RENDER_TYPE:
                 if (value != GLX_RGBA_TYPE && value != GLX_COLOR_INDEX_TYPE) return {};
                 out.render_type = value;
+                break;
+            case GLX_SCREEN:
+                out.screen = value;
                 break;
             case GLX_CONTEXT_RESET_NOTIFICATION_STRATEGY_ARB:
                 if (value != GLX_NO_RESET_NOTIFICATION_ARB && value != GLX_LOSE_CONTEXT_ON_RESET_ARB)
@@ -157,9 +162,11 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
         return fail(display, GLXBadFBConfig, true, 0, kMinor);
     const auto wanted = parse(attributes);
     if (!wanted) return fail(display, BadValue, false, 0, kMinor);
+    const int screen = wanted->screen.value_or(config ? config->screen : DefaultScreen(display));
+    if (screen < 0 || screen >= ScreenCount(display)) return fail(display, BadValue, false, 0, kMinor);
+    if (config && screen != config->screen) return fail(display, BadMatch, false, 0, kMinor);
     if (const auto refusal = check(*wanted)) return fail(display, refusal->code, refusal->is_glx, 0, kMinor);
-    return create(display, config, config ? config->screen : DefaultScreen(display), share_list, direct,
-                  kMinor);
+    return create(display, config, screen, share_list, direct, kMinor);
 } catch (const std::exception&) {
     return fail(display, BadAlloc, false, 0, X_GLXCreateContextAttribsARB);
 }
