@@ -205,6 +205,35 @@ TEST_F(OsmesaContexts, DestroyedWhileAnotherThreadDraws) {
     thread.join();  // the thread ends with the context current: that frees it
 }
 
+// To make a context current once more takes nothing away: it is still in use when another thread destroys it.
+TEST_F(OsmesaContexts, DestroyedWhileCurrentForTheSecondTime) {
+    auto context = make_context();
+    ASSERT_TRUE(make_current(context));
+    ASSERT_TRUE(make_current(context));
+    glClearColor(1, 0, 0, 1);
+    std::thread([&] {
+        context.reset();
+        // Whatever has been let go of is somebody else's now.
+        std::vector<ContextPointer> others;
+        for (int i = 0; i < 4; ++i) {
+            others.push_back(make_context());
+            std::vector<GLubyte> pixels(kSize * kSize * 4);
+            OSMesaMakeCurrent(others.back().get(), pixels.data(), GL_UNSIGNED_BYTE, kSize, kSize);
+            glClearColor(0, 1, 0, 1);
+            glFinish();
+            OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+        }
+        std::thread([&] { others.clear(); }).join();
+    }).join();
+    std::array<GLfloat, 4> color{};
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
+    EXPECT_EQ(color, (std::array<GLfloat, 4>{1, 0, 0, 1}));
+    glClear(GL_COLOR_BUFFER_BIT);
+    glFinish();
+    EXPECT_EQ(pixel(1, 1), kRed);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
 TEST_F(OsmesaContexts, AThreadThatEndsLetsGo) {
     const auto context = make_context();
     std::thread([&] {
