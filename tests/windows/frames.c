@@ -34,8 +34,10 @@ static void rectangle(float x, float y, float width, float height, float z) {
 }
 
 // 110 x 60 red pixels, some in each of several bins, 20 x 10 green ones over them, and three things that
-// leave none: a rectangle behind, one beside the window, one that is seen from its back.
+// leave none: a rectangle behind, one beside the window, one that is seen from its back. What is between them
+// has a colour that 5, 6 and 5 bits keep as 8 bits do.
 static void draw(int frame) {
+    glClearColor(6 / 31.0f, 22 / 63.0f, 25 / 31.0f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glColor3f(1, 0, 0);
     rectangle(10 + frame, 20, 110, 60, 0);
