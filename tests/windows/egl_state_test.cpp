@@ -1,5 +1,7 @@
 // EGL where programs leave the usual ways: pixels of earlier frames, copies of what is still to be drawn,
 // pixmaps, surfaces of every format.
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -154,6 +156,46 @@ TEST_F(EglState, AttributesOfSurfacesAreKept) {
         EXPECT_TRUE(eglSurfaceAttrib(egl, small, EGL_SWAP_BEHAVIOR, behavior));
         EXPECT_EQ(asked(small, EGL_SWAP_BEHAVIOR), behavior);
     }
+}
+
+// Of the visuals that can be drawn to, one of each class and depth has configurations: the root window's, if
+// it is one.
+TEST_F(EglState, EveryLookOfTheScreenHasConfigurations) {
+    open_x();
+    EGLConfig all[200];
+    EGLint count = 0;
+    ASSERT_TRUE(eglGetConfigs(egl, all, 200, &count));
+    using Look = std::pair<int, int>;  // class, depth
+    std::map<Look, std::set<VisualID>> found;
+    for (int i = 0; i < count; ++i) {
+        EGLint id = 0, type = 0;
+        EXPECT_TRUE(eglGetConfigAttrib(egl, all[i], EGL_NATIVE_VISUAL_ID, &id));
+        EXPECT_TRUE(eglGetConfigAttrib(egl, all[i], EGL_NATIVE_VISUAL_TYPE, &type));
+        XVisualInfo wanted{};
+        wanted.visualid = static_cast<VisualID>(id);
+        int visuals = 0;
+        XVisualInfo* const visual = XGetVisualInfo(x, VisualIDMask, &wanted, &visuals);
+        ASSERT_EQ(visuals, 1);
+        EXPECT_EQ(visual->c_class, type);
+        found[{visual->c_class, visual->depth}].insert(visual->visualid);
+        XFree(visual);
+    }
+    std::set<Look> expected;
+    XVisualInfo wanted{};
+    wanted.screen = DefaultScreen(x);
+    int visuals = 0;
+    XVisualInfo* const known = XGetVisualInfo(x, VisualScreenMask, &wanted, &visuals);
+    for (int i = 0; i < visuals; ++i) {
+        const bool deep = known[i].depth >= 24 && known[i].green_mask == 0xff00;
+        const bool flat = known[i].depth == 16 && known[i].green_mask == 0x7e0;
+        const bool direct = known[i].c_class == TrueColor || known[i].c_class == DirectColor;
+        if (direct && (deep || flat)) expected.insert({known[i].c_class, known[i].depth});
+    }
+    XFree(known);
+    for (const Look& look : expected) EXPECT_EQ(found[look].size(), 1u) << look.first << ", " << look.second;
+    EXPECT_EQ(found.size(), expected.size());
+    const VisualID of_root = XVisualIDFromVisual(DefaultVisual(x, DefaultScreen(x)));
+    EXPECT_TRUE((found[{TrueColor, DefaultDepth(x, DefaultScreen(x))}].count(of_root)));
 }
 
 TEST_F(EglState, SurfacesHaveTheFormatOfTheirConfiguration) {
