@@ -126,6 +126,69 @@ TEST_F(GlxErrors, OfContexts) {
     for (const GLXContext made : {ctx, other}) glXDestroyContext(display, made);
 }
 
+TEST_F(GlxErrors, OfContextsOfAnotherDisplay) {
+    const GLXFBConfig chosen = double_buffered();
+    const auto shown = window(chosen);
+    const GLXContext ctx = context(chosen);
+    Display* const other = XOpenDisplay(nullptr);
+    int count = 0;
+    GLXFBConfig* const its = glXGetFBConfigs(other, DefaultScreen(other), &count);
+    ASSERT_GT(count, 0);
+    const GLXContext foreign = glXCreateNewContext(other, its[0], GLX_RGBA_TYPE, nullptr, 1);
+    check({
+        {"a context of another display", BadMatch,
+         [&] { EXPECT_FALSE(glXMakeCurrent(display, shown->id(), foreign)); }},
+        {"a context of another display, without drawables", BadMatch,
+         [&] { EXPECT_FALSE(glXMakeContextCurrent(display, 0, 0, foreign)); }},
+        {"copy from a context of another display", BadMatch,
+         [&] { glXCopyContext(display, foreign, ctx, GL_LINE_BIT); }},
+        {"a configuration of another display", glx(kBadFBConfig),
+         [&] { EXPECT_EQ(context(its[0]), nullptr); }},
+    });
+    EXPECT_EQ(glXGetCurrentContext(), nullptr);
+    glXDestroyContext(other, foreign);
+    glXDestroyContext(display, ctx);
+    XFree(its);
+    XCloseDisplay(other);
+}
+
+// The numbers are those of GLX's protocol.
+TEST_F(GlxErrors, NameTheRequestAndWhatItWasAbout) {
+    const GLXFBConfig chosen = double_buffered();
+    const auto shown = window(chosen);
+    const GLXContext ctx = context(chosen);
+    unsigned answer = 0;
+    struct Named {
+        const char* what;
+        int request;
+        XID resource;
+        std::function<void()> call;
+    };
+    std::vector<Named> cases = {
+        {"only to draw to", 26, 0, [&] { glXMakeContextCurrent(display, shown->id(), 0, ctx); }},
+        {"to draw nowhere", 5, kNowhere, [&] { glXMakeCurrent(display, kNowhere, ctx); }},
+        {"to read nowhere", 26, kNowhere,
+         [&] { glXMakeContextCurrent(display, shown->id(), kNowhere, ctx); }},
+        {"a window that is none", 31, kNowhere, [&] { glXCreateWindow(display, chosen, kNowhere, nullptr); }},
+        {"a pixmap that is none", 22, kNowhere, [&] { glXCreatePixmap(display, chosen, kNowhere, nullptr); }},
+        {"query of nothing", 29, kNowhere, [&] { glXQueryDrawable(display, kNowhere, GLX_WIDTH, &answer); }},
+        {"destroying no window", 32, kNowhere, [&] { glXDestroyWindow(display, kNowhere); }},
+        {"destroying no pixmap", 23, kNowhere, [&] { glXDestroyPixmap(display, kNowhere); }},
+        {"destroying no pbuffer", 28, kNowhere, [&] { glXDestroyPbuffer(display, kNowhere); }},
+        {"swapping nothing", 11, kNowhere, [&] { glXSwapBuffers(display, kNowhere); }},
+    };
+    for (const Named& c : cases) {
+        take_x_error();
+        last_x_error_request = 77;
+        last_x_error_resource = 77;
+        c.call();
+        EXPECT_NE(take_x_error(), 0) << c.what;
+        EXPECT_EQ(last_x_error_request, c.request) << c.what;
+        EXPECT_EQ(last_x_error_resource, c.resource) << c.what;
+    }
+    glXDestroyContext(display, ctx);
+}
+
 TEST_F(GlxErrors, OfDrawables) {
     const GLXFBConfig chosen = double_buffered();
     const auto shown = window(chosen);
@@ -207,6 +270,20 @@ TEST_F(GlxErrors, OfDrawables) {
     EXPECT_EQ(answer, 1u);
     glXQueryDrawable(display, hidden, GLX_LARGEST_PBUFFER, &answer);
     EXPECT_EQ(answer, 0u);
+    for (const unsigned preserved : {0u, 1u}) {
+        const GLXPbuffer made =
+            pbuffer({GLX_PRESERVED_CONTENTS, static_cast<int>(preserved), GLX_PBUFFER_WIDTH, 4,
+                     GLX_PBUFFER_HEIGHT, 5, GLX_LARGEST_PBUFFER, 0});
+        ASSERT_NE(made, 0u);
+        const std::pair<int, unsigned> kept[] = {
+            {GLX_PRESERVED_CONTENTS, preserved}, {GLX_WIDTH, 4}, {GLX_HEIGHT, 5}, {GLX_LARGEST_PBUFFER, 0}};
+        for (const auto& [name, expected] : kept) {
+            answer = 77;
+            glXQueryDrawable(display, made, name, &answer);
+            EXPECT_EQ(answer, expected) << name;
+        }
+        glXDestroyPbuffer(display, made);
+    }
     glXSelectEvent(display, hidden, GLX_PBUFFER_CLOBBER_MASK);
     glXGetSelectedEvent(display, hidden, &mask);
     EXPECT_EQ(mask, static_cast<unsigned long>(GLX_PBUFFER_CLOBBER_MASK));
@@ -263,6 +340,12 @@ TEST_F(GlxErrors, OfExtensions) {
         {"a window let go of", glx(kBadPixmap), [&] { release(display, shown->id(), GLX_FRONT_LEFT_EXT); }},
         {"no such buffer let go of", BadValue, [&] { release(display, texture, 0x7777); }},
         {"a texture let go of", 0, [&] { release(display, texture, GLX_FRONT_LEFT_EXT); }},
+        {"a texture of what has gone", BadDrawable,
+         [&] {
+             XFreePixmap(display, pixmap);
+             XSync(display, 0);
+             bind(display, texture, GLX_FRONT_LEFT_EXT, nullptr);
+         }},
         {"an interval below zero", BadValue, [&] { interval(display, shown->id(), -1); }},
         {"an interval", 0, [&] { interval(display, shown->id(), 3); }},
     });
@@ -318,7 +401,12 @@ TEST_F(GlxErrors, OfTheCountersOfSwaps) {
     EXPECT_GE(msc, reached + 2);
     EXPECT_EQ(sbc, 2);
     EXPECT_TRUE(wait_for_swaps(display, shown->id(), 2, &ust, &msc, &sbc));
-    EXPECT_FALSE(wait_for_swaps(display, shown->id(), 3, &ust, &msc, &sbc));
+    // A target that lies ahead is waited for.
+    const std::int64_t ahead = msc + 3;
+    EXPECT_EQ(swap(display, shown->id(), ahead, 0, 0), 3);
+    EXPECT_TRUE(wait_for_swaps(display, shown->id(), 3, &ust, &msc, &sbc));
+    EXPECT_GE(msc, ahead);
+    EXPECT_FALSE(wait_for_swaps(display, shown->id(), 4, &ust, &msc, &sbc));
     EXPECT_FALSE(wait_for_swaps(display, shown->id(), -1, &ust, &msc, &sbc));
     glXDestroyContext(display, ctx);
 }

@@ -25,9 +25,13 @@ Function* command(const char* name) {
 }
 
 inline std::atomic<int> last_x_error = 0;
+inline std::atomic<XID> last_x_error_resource = 0;
+inline std::atomic<int> last_x_error_request = 0;  // of GLX's
 
 inline int note_error(Display*, XErrorEvent* event) {
     last_x_error = event->error_code;
+    last_x_error_resource = event->resourceid;
+    last_x_error_request = event->minor_code;
     return 0;
 }
 

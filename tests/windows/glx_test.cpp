@@ -1,7 +1,12 @@
 // GLX as programs use it: configurations, contexts, drawables, swaps, errors. Run by on_display.py, through libglvnd and
 // without, on servers with and without GLX and shared memory.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <thread>
@@ -52,9 +57,127 @@ TEST_F(Glx, EveryConfigurationHasAVisualOfItsDepth) {
         ASSERT_NE(visual, nullptr);
         EXPECT_EQ(static_cast<int>(visual->visualid), visual_id);
         EXPECT_GE(visual->depth, red + green + blue);
+        const auto value = [&](int name) {
+            int out = -1;
+            EXPECT_EQ(glXGetFBConfigAttrib(display, all[i], name, &out), 0) << name;
+            return out;
+        };
+        EXPECT_EQ(value(GLX_X_VISUAL_TYPE), visual->c_class == TrueColor ? GLX_TRUE_COLOR : GLX_DIRECT_COLOR);
+        EXPECT_EQ(value(GLX_BUFFER_SIZE), red + green + blue + value(GLX_ALPHA_SIZE));
+        EXPECT_EQ(value(GLX_SAMPLE_BUFFERS), value(GLX_SAMPLES) > 0);
+        EXPECT_EQ(value(GLX_BIND_TO_TEXTURE_RGBA_EXT), value(GLX_ALPHA_SIZE) > 0);
+        for (const int component : {GLX_ACCUM_GREEN_SIZE, GLX_ACCUM_BLUE_SIZE, GLX_ACCUM_ALPHA_SIZE})
+            EXPECT_EQ(value(component), value(GLX_ACCUM_RED_SIZE));
+        for (const auto& [name, expected] : std::vector<std::pair<int, int>>{
+                 {GLX_CONFIG_CAVEAT, GLX_NONE},
+                 {GLX_AUX_BUFFERS, 0},
+                 {GLX_LEVEL, 0},
+                 {GLX_STEREO, 0},
+                 {GLX_RENDER_TYPE, GLX_RGBA_BIT},
+                 {GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT | GLX_PIXMAP_BIT | GLX_PBUFFER_BIT},
+                 {GLX_X_RENDERABLE, 1},
+                 {GLX_TRANSPARENT_TYPE, GLX_NONE},
+                 {GLX_MAX_PBUFFER_WIDTH, 16384},
+                 {GLX_MAX_PBUFFER_HEIGHT, 16384},
+                 {GLX_MAX_PBUFFER_PIXELS, 16384 * 16384},
+                 {GLX_VISUAL_SELECT_GROUP_SGIX, 0},
+                 {GLX_BIND_TO_TEXTURE_RGB_EXT, 1},
+                 {GLX_BIND_TO_MIPMAP_TEXTURE_EXT, 0},
+                 {GLX_BIND_TO_TEXTURE_TARGETS_EXT, GLX_TEXTURE_1D_BIT_EXT | GLX_TEXTURE_2D_BIT_EXT},
+                 {GLX_Y_INVERTED_EXT, 0}})
+            EXPECT_EQ(value(name), expected) << name;
         XFree(visual);
     }
     XFree(all);
+}
+
+// What an attribute of a context says, for one of a configuration and for one of none.
+TEST_F(Glx, ContextsSayWhatTheyWereMadeOf) {
+    const auto create = command<GLXContext(Display*, GLXFBConfig, GLXContext, int, const int*)>(
+        "glXCreateContextAttribsARB");
+    const GLXFBConfig chosen = config({GLX_DOUBLEBUFFER, 1, GLX_STENCIL_SIZE, 8});
+    int id = 0, visual = 0;
+    glXGetFBConfigAttrib(display, chosen, GLX_FBCONFIG_ID, &id);
+    glXGetFBConfigAttrib(display, chosen, GLX_VISUAL_ID, &visual);
+    const int of_screen[] = {GLX_SCREEN, DefaultScreen(display), kNone};  // libglvnd wants to know it
+    const GLXContext of_one = context(chosen), of_none = create(display, nullptr, nullptr, 1, of_screen);
+    ASSERT_NE(of_none, nullptr);
+    struct Case {
+        GLXContext ctx;
+        int name, expected;
+    };
+    for (const auto& [ctx, name, expected] :
+         {Case{of_one, GLX_FBCONFIG_ID, id}, {of_one, GLX_VISUAL_ID, visual},
+          {of_one, GLX_RENDER_TYPE, GLX_RGBA_TYPE}, {of_one, GLX_SCREEN, DefaultScreen(display)},
+          {of_none, GLX_FBCONFIG_ID, 0}, {of_none, GLX_VISUAL_ID, 0},
+          {of_none, GLX_RENDER_TYPE, GLX_RGBA_TYPE}, {of_none, GLX_SCREEN, DefaultScreen(display)}}) {
+        int value = -77;
+        EXPECT_EQ(glXQueryContext(display, ctx, name, &value), 0) << name;
+        EXPECT_EQ(value, expected) << name;
+        EXPECT_EQ(glXQueryContext(display, ctx, name, nullptr), 0) << name;
+    }
+    int value = -77;
+    EXPECT_EQ(glXQueryContext(display, of_one, 0x7777, &value), GLX_BAD_ATTRIBUTE);
+    EXPECT_EQ(value, -77);
+    EXPECT_EQ(take_x_error(), 0);
+    for (const GLXContext made : {of_one, of_none}) glXDestroyContext(display, made);
+}
+
+TEST_F(Glx, TheRendererIsDescribed) {
+    const GLXFBConfig chosen = double_buffered();
+    const auto shown = window(chosen);
+    const GLXContext ctx = context(chosen);
+    const auto query = command<int(Display*, int, int, int, unsigned*)>("glXQueryRendererIntegerMESA");
+    const auto query_current = command<int(int, unsigned*)>("glXQueryCurrentRendererIntegerMESA");
+    const auto text = command<const char*(Display*, int, int, int)>("glXQueryRendererStringMESA");
+    const auto text_current = command<const char*(int)>("glXQueryCurrentRendererStringMESA");
+    ASSERT_TRUE(glXMakeCurrent(display, shown->id(), ctx));
+    unsigned major = 0, minor = 0, version[3] = {77, 77, 77};
+    const auto* const gl_version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    ASSERT_EQ(std::sscanf(gl_version, "%u.%u Terrazzo %u.%u.%u", &major, &minor, &version[0], &version[1], &version[2]),
+              5)
+        << gl_version;
+    const auto memory = static_cast<unsigned>((static_cast<unsigned long long>(sysconf(_SC_PHYS_PAGES)) *
+                                               static_cast<unsigned long long>(sysconf(_SC_PAGESIZE))) >>
+                                              20);
+    const std::vector<std::pair<int, std::vector<unsigned>>> expected = {
+        {GLX_RENDERER_VENDOR_ID_MESA, {~0u}},
+        {GLX_RENDERER_DEVICE_ID_MESA, {~0u}},
+        {GLX_RENDERER_VERSION_MESA, {version[0], version[1], version[2]}},
+        {GLX_RENDERER_ACCELERATED_MESA, {0}},
+        {GLX_RENDERER_VIDEO_MEMORY_MESA, {memory}},
+        {GLX_RENDERER_UNIFIED_MEMORY_ARCHITECTURE_MESA, {1}},
+        {GLX_RENDERER_PREFERRED_PROFILE_MESA, {GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB}},
+        {GLX_RENDERER_OPENGL_COMPATIBILITY_PROFILE_VERSION_MESA, {major, minor}},
+        {GLX_RENDERER_OPENGL_CORE_PROFILE_VERSION_MESA, {0, 0}},
+        {GLX_RENDERER_OPENGL_ES_PROFILE_VERSION_MESA, {0, 0}},
+        {GLX_RENDERER_OPENGL_ES2_PROFILE_VERSION_MESA, {0, 0}},
+    };
+    for (const auto& [name, values] : expected) {
+        for (const bool current : {false, true}) {
+            std::vector<unsigned> found(4, 77u);  // what is not said is left alone
+            auto wanted = values;
+            wanted.resize(4, 77u);
+            EXPECT_TRUE(current ? query_current(name, found.data())
+                                : query(display, DefaultScreen(display), 0, name, found.data()))
+                << name;
+            EXPECT_EQ(found, wanted) << name;
+        }
+    }
+    unsigned value = 77;
+    EXPECT_FALSE(query(display, DefaultScreen(display), 0, 0x7777, &value));
+    EXPECT_FALSE(query(display, DefaultScreen(display), 1, GLX_RENDERER_ACCELERATED_MESA, &value));
+    EXPECT_FALSE(query_current(0x7777, &value));
+    EXPECT_EQ(value, 77u);
+    for (const auto& [name, wanted] :
+         {std::pair{GLX_RENDERER_VENDOR_ID_MESA, GL_VENDOR}, {GLX_RENDERER_DEVICE_ID_MESA, GL_RENDERER}}) {
+        const auto* const of_gl = reinterpret_cast<const char*>(glGetString(static_cast<GLenum>(wanted)));
+        EXPECT_STREQ(text(display, DefaultScreen(display), 0, name), of_gl);
+        EXPECT_STREQ(text_current(name), of_gl);
+    }
+    EXPECT_EQ(text(display, DefaultScreen(display), 0, GLX_RENDERER_VERSION_MESA), nullptr);
+    EXPECT_EQ(text_current(GLX_RENDERER_VERSION_MESA), nullptr);
+    glXDestroyContext(display, ctx);
 }
 
 TEST_F(Glx, ChoosesAsSpecified) {
@@ -89,6 +212,65 @@ TEST_F(Glx, ChoosesAsSpecified) {
     }
     int color_index[] = {GLX_DEPTH_SIZE, 1, kNone};
     EXPECT_EQ(glXChooseVisual(display, DefaultScreen(display), color_index), nullptr);
+}
+
+// GLX 1.4 §3.3.3: all that fit, in the order of what table 3.4 says of them.
+TEST_F(Glx, ThoseThatFitComeInTheOrderOfTheSpecification) {
+    int count = 0;
+    GLXFBConfig* const every = glXGetFBConfigs(display, DefaultScreen(display), &count);
+    const std::vector<GLXFBConfig> all(every, every + count);
+    XFree(every);
+    const auto value = [&](GLXFBConfig of, int name) {
+        int out = -1;
+        glXGetFBConfigAttrib(display, of, name, &out);
+        return out;
+    };
+    const std::vector<int> colors = {GLX_RED_SIZE, GLX_GREEN_SIZE, GLX_BLUE_SIZE, GLX_ALPHA_SIZE},
+                           accums = {GLX_ACCUM_RED_SIZE, GLX_ACCUM_GREEN_SIZE, GLX_ACCUM_BLUE_SIZE,
+                                     GLX_ACCUM_ALPHA_SIZE};
+    const std::vector<std::map<int, int>> lists = {
+        {},
+        {{GLX_DEPTH_SIZE, 1}},
+        {{GLX_DEPTH_SIZE, 17}},
+        {{GLX_ALPHA_SIZE, 1}},
+        {{GLX_RED_SIZE, 1}, {GLX_GREEN_SIZE, 1}},
+        {{GLX_STENCIL_SIZE, 1}, {GLX_SAMPLES, 1}},
+        {{GLX_ACCUM_RED_SIZE, 1}},
+        {{GLX_ACCUM_GREEN_SIZE, 1}, {GLX_ACCUM_ALPHA_SIZE, 1}, {GLX_ALPHA_SIZE, 1}},
+        {{GLX_BUFFER_SIZE, 30}},
+        {{GLX_SAMPLE_BUFFERS, 1}, {GLX_DEPTH_SIZE, 1}},
+    };
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+        SCOPED_TRACE("list " + std::to_string(i));
+        const auto& wishes = lists[i];
+        std::vector<int> list;
+        for (const auto& [name, least] : wishes) list.insert(list.end(), {name, least});
+        list.push_back(kNone);
+        const auto total = [&](GLXFBConfig of, const std::vector<int>& components) {
+            int out = 0;
+            for (const int name : components) out += wishes.count(name) ? value(of, name) : 0;
+            return out;
+        };
+        // The smallest comes first.
+        const auto place = [&](GLXFBConfig of) {
+            return std::vector<int>{-total(of, colors),           value(of, GLX_BUFFER_SIZE),
+                                    value(of, GLX_DOUBLEBUFFER),  value(of, GLX_SAMPLE_BUFFERS),
+                                    value(of, GLX_SAMPLES),       -value(of, GLX_DEPTH_SIZE),
+                                    value(of, GLX_STENCIL_SIZE),  -total(of, accums)};
+        };
+        std::vector<GLXFBConfig> expected;
+        for (const GLXFBConfig one : all) {
+            if (std::all_of(wishes.begin(), wishes.end(),
+                            [&](const auto& wish) { return value(one, wish.first) >= wish.second; }))
+                expected.push_back(one);
+        }
+        std::stable_sort(expected.begin(), expected.end(),
+                         [&](GLXFBConfig a, GLXFBConfig b) { return place(a) < place(b); });
+        GLXFBConfig* const some = glXChooseFBConfig(display, DefaultScreen(display), list.data(), &count);
+        EXPECT_GT(count, 1);
+        EXPECT_EQ(std::vector<GLXFBConfig>(some, some + count), expected);
+        XFree(some);
+    }
 }
 
 TEST_F(Glx, SwapShowsTheBackBuffer) {
@@ -571,6 +753,10 @@ TEST_F(Glx, SwapIntervalsAndCounters) {
     EXPECT_EQ(sgi(0), GLX_BAD_VALUE);
     EXPECT_EQ(sgi(1), 0);
     EXPECT_EQ(get(), 1);
+    EXPECT_EQ(mesa(0x8000), GLX_BAD_VALUE);
+    EXPECT_EQ(get(), 1);
+    EXPECT_EQ(mesa(0x7fff), 0);
+    EXPECT_EQ(get(), 0x7fff);
     ext(display, shown->id(), 0);
     unsigned interval = 9;
     glXQueryDrawable(display, shown->id(), GLX_SWAP_INTERVAL_EXT, &interval);
