@@ -171,6 +171,57 @@ TEST_F(SharedWindow, WindowsComeAndGoInSeveralThreads) {
     run(150, {body, body, body});
 }
 
+// What is known of a display, and of its drawables, is looked up while others come and go.
+TEST_F(SharedWindow, DrawablesAreFoundWhileOthersComeAndGo) {
+    ASSERT_NE(visual, nullptr);
+    int count = 0;
+    const int list[] = {GLX_DRAWABLE_TYPE, GLX_PBUFFER_BIT, 0};
+    GLXFBConfig* const configs = glXChooseFBConfig(x, visual->screen, list, &count);
+    ASSERT_GT(count, 0);
+    const int size[] = {GLX_PBUFFER_WIDTH, 3, GLX_PBUFFER_HEIGHT, 1, 0};
+    const GLXPbuffer stays = glXCreatePbuffer(x, configs[0], size);
+    const auto finds = [&](GLXContext) {
+        for (int i = 0; i < 10; ++i) {
+            unsigned width = 0;
+            glXQueryDrawable(x, stays, GLX_WIDTH, &width);
+            ASSERT_EQ(width, 3u);
+        }
+    };
+    const auto comes_and_goes = [&](GLXContext) {
+        const GLXPbuffer made = glXCreatePbuffer(x, configs[0], size);
+        ASSERT_NE(made, 0u);
+        glXDestroyPbuffer(x, made);
+    };
+    run(2000, {finds, comes_and_goes});
+    glXDestroyPbuffer(x, stays);
+    XFree(configs);
+}
+
+TEST_F(SharedWindow, DisplaysComeAndGoInSeveralThreads) {
+    ASSERT_NE(visual, nullptr);
+    const auto opens = [&](GLXContext) {
+        Display* const own = XOpenDisplay(nullptr);
+        ASSERT_NE(own, nullptr);
+        int count = 0;
+        GLXFBConfig* const configs = glXGetFBConfigs(own, DefaultScreen(own), &count);
+        EXPECT_GT(count, 0);
+        const int size[] = {GLX_PBUFFER_WIDTH, 3, GLX_PBUFFER_HEIGHT, 1, 0};
+        EXPECT_NE(glXCreatePbuffer(own, configs[0], size), 0u);
+        XFree(configs);
+        XCloseDisplay(own);
+    };
+    const auto asks = [&](GLXContext context) {
+        for (int i = 0; i < 100; ++i) {
+            int value = -1;
+            EXPECT_EQ(glXQueryContext(x, context, GLX_RENDER_TYPE, &value), 0);
+            EXPECT_EQ(value, GLX_RGBA_TYPE);
+            EXPECT_EQ(glXGetConfig(x, visual, GLX_USE_GL, &value), 0);
+            EXPECT_EQ(value, 1);
+        }
+    };
+    run(50, {opens, opens, asks});
+}
+
 TEST_F(SharedWindow, ACopiedContextIsRefusedToNobody) {
     ASSERT_NE(visual, nullptr);
     const auto handler = XSetErrorHandler(ignore_error);  // BadAccess, where it is current
