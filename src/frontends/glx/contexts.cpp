@@ -52,8 +52,8 @@ struct Request {
     int major = 1, minor = 0;
     int flags = 0, profile = GLX_CONTEXT_CORE_PROFILE_BIT_ARB;
     int render_type = GLX_RGBA_TYPE;
-    std::optional<int>
-        screen;  // named where there is no configuration to tell it (GLX_EXT_no_config_context)
+    // Named where there is no configuration to tell it (GLX_EXT_no_config_context).
+    std::optional<int> screen;
     bool no_error = false;
 };
 
