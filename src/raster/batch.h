@@ -56,8 +56,10 @@ struct alignas(64) Batch {
     static constexpr size_t kTexelBytes = kMaxTextureUnits * kBatchTiles * sizeof(Words);
     alignas(64) std::byte texels[kTexelBytes];
 
-    // The colours that reach alpha test and blending, in eight bits a channel.
+    // The colours that reach alpha test and blending: in eight bits a channel, or as floats where the buffer
+    // has more.
     alignas(64) Words colors[kBatchTiles];
+    alignas(64) Tile wide_colors[kBatchTiles][4];
 };
 
 }  // namespace terrazzo::raster

@@ -58,8 +58,7 @@ void choose_stages(FragmentState& state, std::span<TextureStage> units) {
                                        [](const TextureStage& unit) { return is_continuous(unit.sampler); });
     for (TextureStage& unit : units)
         unit.coordinates = choose_coordinates(k.perspective, out.exact_coordinates);
-    out.is_batched = k.image == PixelImage::kNone && k.coverage == Coverage::kNone &&
-                     (k.color_format == ColorFormat::kRgba8 || k.color_format == ColorFormat::kRgb565);
+    out.is_batched = k.image == PixelImage::kNone && k.coverage == Coverage::kNone;
     // How many samples are covered may depend on alpha.
     out.samples_are_batched = out.is_batched && !k.alpha_to_coverage && !k.alpha_to_one;
     out.test = choose_test_stage(state);
@@ -67,7 +66,7 @@ void choose_stages(FragmentState& state, std::span<TextureStage> units) {
     const bool has_output = k.color_mask != 0 || !tests_early(k) || k.alpha_func != Compare::kAlways;
     if (!has_output) return;
     out.output = choose_output_stage(state);
-    out.sample_output = sample_output_stage;
+    out.sample_output = has_wide_channels(k.color_format) ? wide_sample_output_stage : sample_output_stage;
     out.shades = true;
     out.shows_texels = shows_texels(state);
     if (!out.shows_texels)

@@ -164,8 +164,9 @@ void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     const Varyings v = state.varyings;
     const bool perspective = k.perspective, has_w = state.texture_count != 0, flat = !kPlain && k.flat_color;
     std::conditional_t<kEnvironments == Environments::kCombine, Combiner, NoCombiner> combiner;
+    const bool is_wide = has_wide_channels(k.color_format);
     // Tested against alpha as it is unless the buffer has eight bits of it.
-    const bool keeps_alpha = k.alpha_func != Compare::kAlways && k.color_format != ColorFormat::kRgba8;
+    const bool keeps_alpha = k.alpha_func != Compare::kAlways && k.color_format == ColorFormat::kRgb565;
     for (int i = 0; i < batch.count; ++i) {
         [[maybe_unused]] Interpolator at = planes_of(batch, bin, i);
         Color c = constant;
@@ -188,7 +189,12 @@ void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
             if (k.fog != FogMode::kNone) fog_inline(k.fog, state, at.varying(v.fog) * w, c);
         }
         if (keeps_alpha) store(c.a, batch.alphas()[i]);
-        store(quantize_rgba8(c), batch.colors[i]);
+        if (is_wide) {
+            store(c.r, batch.wide_colors[i][0]), store(c.g, batch.wide_colors[i][1]);
+            store(c.b, batch.wide_colors[i][2]), store(c.a, batch.wide_colors[i][3]);
+        } else {
+            store(quantize_rgba8(c), batch.colors[i]);
+        }
     }
 }
 

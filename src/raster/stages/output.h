@@ -105,8 +105,33 @@ inline void general_output_stage(const FragmentState& state, Bin& bin, Batch& ba
     }
 }
 
+TERRAZZO_INLINE Color wide_color(const Batch& batch, int entry) {
+    const auto& channels = batch.wide_colors[entry];
+    return {load(channels[0]), load(channels[1]), load(channels[2]), load(channels[3])};
+}
+
+// Buffers of 16 bits or a float a channel.
+inline void wide_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
+    const FragmentKey& k = state.key;
+    const RuntimeKey key{k};
+    const bool late = !tests_early(k) && (k.depth_test || k.stencil_test);
+    for (int i = 0; i < batch.count; ++i) {
+        const Color color = wide_color(batch, i);
+        uint32_t mask = batch.masks[i];
+        const int tile = batch.tiles[i];
+        if (k.alpha_func != Compare::kAlways)
+            mask &= bits_of(compare(k.alpha_func, color.a, F32x16(state.alpha_reference)));
+        if (late && mask != 0)
+            mask = depth_stencil_test(key, state, state.depth_bits, *batch.primitives[i],
+                                      planes_of(batch, bin, i), bin, tile, mask);
+        batch.masks[i] = static_cast<uint16_t>(mask);
+        if (mask != 0) write_color(key, state, color, mask, bin, tile);
+    }
+}
+
 TERRAZZO_INLINE Stage choose_output_stage(const FragmentState& state) {
     const FragmentKey& k = state.key;
+    if (has_wide_channels(k.color_format)) return wide_output_stage;
     const bool tests_late = !tests_early(k) && (k.depth_test || k.stencil_test);
     if (k.color_format != ColorFormat::kRgba8 || k.color_mask != 0xf || k.logic_op || tests_late)
         return general_output_stage;

@@ -18,6 +18,11 @@ TERRAZZO_INLINE Interpolator planes_of(const Batch& batch, const Bin& bin, int e
     return at;
 }
 
+// Whether a buffer's channels have more than eight bits.
+TERRAZZO_INLINE bool has_wide_channels(ColorFormat format) {
+    return format == ColorFormat::kRgba16 || format == ColorFormat::kRgba32F;
+}
+
 // The texels of a unit's first entry; the next ones follow at intervals of texel_bytes.
 TERRAZZO_INLINE size_t texel_bytes(const TextureStage& stage) {
     return stage.texels_are_floats ? 4 * sizeof(Batch::Tile) : sizeof(Batch::Words);

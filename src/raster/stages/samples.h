@@ -94,6 +94,24 @@ inline void sample_output_stage(const FragmentState& state, Bin& bin, Batch& bat
     }
 }
 
+inline void wide_sample_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
+    const FragmentKey& k = state.key;
+    const RuntimeKey key{k};
+    const bool late = !tests_early(k) && (k.depth_test || k.stencil_test);
+    for (int i = 0; i < batch.count; ++i) {
+        const Color color = wide_color(batch, i);
+        SampleMasks masks(batch.sample_masks[i]);
+        const int tile = batch.tiles[i];
+        if (k.alpha_func != Compare::kAlways)
+            masks.keep(bits_of(compare(k.alpha_func, color.a, F32x16(state.alpha_reference))));
+        if (late && masks.any() != 0)
+            test_samples(key, state, *batch.primitives[i], planes_of_corner(batch, bin, i),
+                         planes_of(batch, bin, i), bin, tile, masks);
+        for (int s = 0; s < kMaxSamples; ++s) batch.sample_masks[i][s] = static_cast<uint16_t>(masks.of[s]);
+        if (masks.any() != 0) write_samples(key, state, color, masks, bin, tile);
+    }
+}
+
 inline void count_all_samples(const FragmentState& state, Bin& bin, const Batch& batch) {
     uint64_t passed = 0;
     for (int i = 0; i < batch.count; ++i) passed += SampleMasks(batch.sample_masks[i]).count();
