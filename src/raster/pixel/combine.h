@@ -9,7 +9,7 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-TERRAZZO_INLINE Color combine_inline(const TextureStage& stage, const Color& f, const Color& t) {
+TERRAZZO_INLINE Color combine(const TextureStage& stage, const Color& f, const Color& t) {
     const BaseFormat base = stage.base_format;
     const bool has_color = base != BaseFormat::kAlpha;
     const bool has_alpha = base != BaseFormat::kLuminance && base != BaseFormat::kRgb;
@@ -57,40 +57,6 @@ TERRAZZO_INLINE Color combine_inline(const TextureStage& stage, const Color& f, 
             break;
     }
     return out;
-}
-
-TERRAZZO_NOINLINE Color combine(const TextureStage& stage, const Color& f, const Color& t) {
-    return combine_inline(stage, f, t);
-}
-
-// What the arguments of a combiner choose from.
-struct CombineInput {
-    const Color* texels;  // of each unit that samples
-    Color primary, previous, constant;
-};
-
-TERRAZZO_INLINE Color combine_source(const CombineInput& in, CombineSource source) {
-    switch (source) {
-        case CombineSource::kPrimary:
-            return in.primary;
-        case CombineSource::kPrevious:
-            return in.previous;
-        case CombineSource::kConstant:
-            return in.constant;
-        case CombineSource::kZero:
-            return {0.0f, 0.0f, 0.0f, 0.0f};
-        case CombineSource::kOne:
-            return {1.0f, 1.0f, 1.0f, 1.0f};
-        default:
-            return in.texels[static_cast<int>(source)];
-    }
-}
-
-// An argument before its complement is taken.
-TERRAZZO_INLINE Color combine_argument(const CombineInput& in, const CombineArgument& argument) {
-    Color c = combine_source(in, argument.source);
-    if (argument.alpha) c.r = c.g = c.b = c.a;
-    return c;
 }
 
 // One channel of one half, of arguments whose complements have not been taken: the reference adds constants
@@ -149,42 +115,98 @@ TERRAZZO_INLINE bool is_dot3(CombineFunction function) {
     return function == CombineFunction::kDot3Rgb || function == CombineFunction::kDot3Rgba;
 }
 
-TERRAZZO_NOINLINE Color combine_general(const TextureStage& stage, const CombineInput& in) {
-    const auto bounded = [](F32x16 v) { return clamp(v, F32x16(0.0f), F32x16(1.0f)); };
-    const CombineHalf &rgb = stage.rgb, &alpha = stage.alpha;
-    const Color a = combine_argument(in, rgb.arguments[0]), b = combine_argument(in, rgb.arguments[1]),
-                c = combine_argument(in, rgb.arguments[2]);
-    Color out;
-    if (is_dot3(rgb.function)) {
-        out.r = out.g = out.b = combine_dot3(rgb, a, b);
-    } else {
-        out.r = combine_channel(rgb, a.r, b.r, c.r);
-        out.g = combine_channel(rgb, a.g, b.g, c.g);
-        out.b = combine_channel(rgb, a.b, b.b, c.b);
-    }
-    // What is scaled is bounded afterwards.
-    if (rgb.scale == 1 && leaves_range(rgb.function)) {
-        out.r = bounded(out.r);
-        out.g = bounded(out.g);
-        out.b = bounded(out.b);
-    }
-    if (rgb.function == CombineFunction::kDot3Rgba) {
-        out.a = out.r;
-    } else {
-        const auto argument = [&](int i) { return combine_argument(in, alpha.arguments[i]).a; };
-        out.a = combine_channel(alpha, argument(0), argument(1), argument(2));
-        if (alpha.scale == 1 && leaves_range(alpha.function)) out.a = bounded(out.a);
-    }
-    if (rgb.scale == 1 && alpha.scale == 1) return out;
-    const F32x16 k(rgb.scale);
-    return {bounded(out.r * k), bounded(out.g * k), bounded(out.b * k), bounded(out.a * F32x16(alpha.scale))};
-}
+// Colours as combiners choose from them: in memory, a channel at a time.
+struct ColorChannels {
+    alignas(64) float channel[4][kTilePixels];
 
-// Runs one stage; `in.previous` is the colour that reaches it.
-TERRAZZO_INLINE Color combine_stage(const TextureStage& stage, CombineInput& in) {
-    if (stage.mode != EnvMode::kCombine) return combine(stage, in.previous, in.texels[stage.unit]);
-    in.constant = uniform_color(stage.env_color);
-    return combine_general(stage, in);
-}
+    TERRAZZO_INLINE void operator=(const Color& c) {
+        store(c.r, channel[0]), store(c.g, channel[1]), store(c.b, channel[2]), store(c.a, channel[3]);
+    }
+    TERRAZZO_INLINE Color color() const {
+        return {load(channel[0]), load(channel[1]), load(channel[2]), load(channel[3])};
+    }
+};
 
+// Texture environments of several units for 16 pixels.
+class Combiner {
+  public:
+    TERRAZZO_INLINE Combiner() {
+        m_zero = Color{0.0f, 0.0f, 0.0f, 0.0f};
+        m_one = Color{1.0f, 1.0f, 1.0f, 1.0f};
+    }
+
+    // The filtered texel of a unit that samples.
+    TERRAZZO_INLINE void set_texel(int unit, const Color& texel) { m_texels[unit] = texel; }
+
+    // All units, one after the other; the texels are there.
+    TERRAZZO_INLINE Color run(const FragmentState& state, const Color& primary) {
+        m_primary = primary;
+        m_previous = primary;
+        for (int u = 0; u < state.texture_count; ++u) {
+            const TextureStage& stage = state.textures[u];
+            m_previous = stage.mode == EnvMode::kCombine
+                             ? combine_general(stage)
+                             : combine(stage, m_previous.color(), m_texels[stage.unit].color());
+        }
+        return m_previous.color();
+    }
+
+  private:
+    TERRAZZO_INLINE const ColorChannels& source(CombineSource source) const {
+        switch (source) {
+            case CombineSource::kPrimary:
+                return m_primary;
+            case CombineSource::kPrevious:
+                return m_previous;
+            case CombineSource::kConstant:
+                return m_constant;
+            case CombineSource::kZero:
+                return m_zero;
+            case CombineSource::kOne:
+                return m_one;
+            default:
+                return m_texels[static_cast<int>(source)];
+        }
+    }
+    TERRAZZO_INLINE F32x16 argument(const CombineArgument& a, int channel) const {
+        return load(source(a.source).channel[a.alpha ? 3 : channel]);
+    }
+    TERRAZZO_INLINE F32x16 channel(const CombineHalf& half, int channel) const {
+        return combine_channel(half, argument(half.arguments[0], channel),
+                               argument(half.arguments[1], channel), argument(half.arguments[2], channel));
+    }
+
+    TERRAZZO_INLINE Color combine_general(const TextureStage& stage) {
+        const auto bounded = [](F32x16 v)
+                                 TERRAZZO_INLINE_LAMBDA { return clamp(v, F32x16(0.0f), F32x16(1.0f)); };
+        m_constant = uniform_color(stage.env_color);
+        const CombineHalf &rgb = stage.rgb, &alpha = stage.alpha;
+        F32x16 out[4];
+        if (is_dot3(rgb.function)) {
+            const auto color = [&](const CombineArgument& a) TERRAZZO_INLINE_LAMBDA {
+                return Color{argument(a, 0), argument(a, 1), argument(a, 2), F32x16(0.0f)};
+            };
+            out[0] = out[1] = out[2] = combine_dot3(rgb, color(rgb.arguments[0]), color(rgb.arguments[1]));
+        } else {
+            for (int c = 0; c < 3; ++c) out[c] = channel(rgb, c);
+        }
+        // What is scaled is bounded afterwards.
+        if (rgb.scale == 1 && leaves_range(rgb.function))
+            for (int c = 0; c < 3; ++c) out[c] = bounded(out[c]);
+        if (rgb.function == CombineFunction::kDot3Rgba) {
+            out[3] = out[0];
+        } else {
+            out[3] = channel(alpha, 3);
+            if (alpha.scale == 1 && leaves_range(alpha.function)) out[3] = bounded(out[3]);
+        }
+        if (rgb.scale != 1 || alpha.scale != 1) {
+            for (int c = 0; c < 3; ++c) out[c] = bounded(out[c] * F32x16(rgb.scale));
+            out[3] = bounded(out[3] * F32x16(alpha.scale));
+        }
+        return {out[0], out[1], out[2], out[3]};
+    }
+
+    ColorChannels m_texels[kMaxTextureUnits];
+    ColorChannels m_primary, m_previous, m_constant, m_zero, m_one;
+};
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

@@ -53,7 +53,7 @@ TERRAZZO_INLINE Color primary_color(Key key, const FragmentState& state, const S
 TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpolator& at, Color color,
                                        uint32_t mask) {
     const F32x16 w = at.exact_w();
-    Color texels[kMaxTextureUnits];
+    Combiner combiner;
     for (int i = 0; i < state.texture_count; ++i) {
         const TextureStage& stage = state.textures[i];
         const int first = state.varyings.texture[stage.unit];
@@ -63,12 +63,10 @@ TERRAZZO_NOINLINE Color apply_textures(const FragmentState& state, const Interpo
             const F32x16 scale = F32x16(1.0f) / (at.exact_varying(first + 3) * w);
             point = {point.s * scale, point.t * scale, point.r * scale};
         }
-        texels[stage.unit] = stage.sampler.faces ? sample_cube(stage.sampler, point, mask)
-                                                 : sample_texture(stage.sampler, point, mask);
+        combiner.set_texel(stage.unit, stage.sampler.faces ? sample_cube(stage.sampler, point, mask)
+                                                           : sample_texture(stage.sampler, point, mask));
     }
-    CombineInput in{texels, color, color, {}};
-    for (int i = 0; i < state.texture_count; ++i) in.previous = combine_stage(state.textures[i], in);
-    return in.previous;
+    return combiner.run(state, color);
 }
 
 template <class Key>

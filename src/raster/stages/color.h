@@ -54,106 +54,19 @@ TERRAZZO_INLINE Color modulate_all(const FragmentState& state, Batch& batch, int
 TERRAZZO_INLINE Color apply_environments(const FragmentState& state, Batch& batch, int entry, Color c) {
     for (int u = 0; u < state.texture_count; ++u) {
         const TextureStage& stage = state.textures[u];
-        c = combine_inline(stage, c, color_of_texel(state, stage, batch, entry));
+        c = combine(stage, c, color_of_texel(state, stage, batch, entry));
     }
     return c;
 }
 
-// Colours as combiners choose from them: in memory, a channel at a time.
-struct ColorChannels {
-    alignas(64) float channel[4][kTilePixels];
-
-    TERRAZZO_INLINE void operator=(const Color& c) {
-        store(c.r, channel[0]), store(c.g, channel[1]), store(c.b, channel[2]), store(c.a, channel[3]);
+TERRAZZO_INLINE Color combine_all(Combiner& combiner, const FragmentState& state, Batch& batch, int entry,
+                                  const Color& primary) {
+    for (int u = 0; u < state.texture_count; ++u) {
+        const TextureStage& stage = state.textures[u];
+        combiner.set_texel(stage.unit, color_of_texel(state, stage, batch, entry));
     }
-    TERRAZZO_INLINE Color color() const {
-        return {load(channel[0]), load(channel[1]), load(channel[2]), load(channel[3])};
-    }
-};
-
-class Combiner {
-  public:
-    TERRAZZO_INLINE Combiner() {
-        m_zero = Color{0.0f, 0.0f, 0.0f, 0.0f};
-        m_one = Color{1.0f, 1.0f, 1.0f, 1.0f};
-    }
-
-    TERRAZZO_INLINE Color combine_all(const FragmentState& state, Batch& batch, int entry,
-                                      const Color& primary) {
-        for (int u = 0; u < state.texture_count; ++u) {
-            const TextureStage& stage = state.textures[u];
-            m_texels[stage.unit] = color_of_texel(state, stage, batch, entry);
-        }
-        m_primary = primary;
-        m_previous = primary;
-        for (int u = 0; u < state.texture_count; ++u) {
-            const TextureStage& stage = state.textures[u];
-            m_previous = stage.mode == EnvMode::kCombine
-                             ? combine(stage)
-                             : combine_inline(stage, m_previous.color(), m_texels[stage.unit].color());
-        }
-        return m_previous.color();
-    }
-
-  private:
-    TERRAZZO_INLINE const ColorChannels& source(CombineSource source) const {
-        switch (source) {
-            case CombineSource::kPrimary:
-                return m_primary;
-            case CombineSource::kPrevious:
-                return m_previous;
-            case CombineSource::kConstant:
-                return m_constant;
-            case CombineSource::kZero:
-                return m_zero;
-            case CombineSource::kOne:
-                return m_one;
-            default:
-                return m_texels[static_cast<int>(source)];
-        }
-    }
-    TERRAZZO_INLINE F32x16 argument(const CombineArgument& a, int channel) const {
-        return load(source(a.source).channel[a.alpha ? 3 : channel]);
-    }
-    TERRAZZO_INLINE F32x16 channel(const CombineHalf& half, int channel) const {
-        return combine_channel(half, argument(half.arguments[0], channel),
-                               argument(half.arguments[1], channel), argument(half.arguments[2], channel));
-    }
-
-    // As combine_general.
-    TERRAZZO_INLINE Color combine(const TextureStage& stage) {
-        const auto bounded = [](F32x16 v)
-                                 TERRAZZO_INLINE_LAMBDA { return clamp(v, F32x16(0.0f), F32x16(1.0f)); };
-        m_constant = uniform_color(stage.env_color);
-        const CombineHalf &rgb = stage.rgb, &alpha = stage.alpha;
-        F32x16 out[4];
-        if (is_dot3(rgb.function)) {
-            const auto color = [&](const CombineArgument& a) TERRAZZO_INLINE_LAMBDA {
-                return Color{argument(a, 0), argument(a, 1), argument(a, 2), F32x16(0.0f)};
-            };
-            out[0] = out[1] = out[2] = combine_dot3(rgb, color(rgb.arguments[0]), color(rgb.arguments[1]));
-        } else {
-            for (int c = 0; c < 3; ++c) out[c] = channel(rgb, c);
-        }
-        // What is scaled is bounded afterwards.
-        if (rgb.scale == 1 && leaves_range(rgb.function))
-            for (int c = 0; c < 3; ++c) out[c] = bounded(out[c]);
-        if (rgb.function == CombineFunction::kDot3Rgba) {
-            out[3] = out[0];
-        } else {
-            out[3] = channel(alpha, 3);
-            if (alpha.scale == 1 && leaves_range(alpha.function)) out[3] = bounded(out[3]);
-        }
-        if (rgb.scale != 1 || alpha.scale != 1) {
-            for (int c = 0; c < 3; ++c) out[c] = bounded(out[c] * F32x16(rgb.scale));
-            out[3] = bounded(out[3] * F32x16(alpha.scale));
-        }
-        return {out[0], out[1], out[2], out[3]};
-    }
-
-    ColorChannels m_texels[kMaxTextureUnits];
-    ColorChannels m_primary, m_previous, m_constant, m_zero, m_one;
-};
+    return combiner.run(state, primary);
+}
 struct NoCombiner {};
 
 // `kPlain`: no flat colours, no secondary colour and no fog.
@@ -177,7 +90,7 @@ void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
         if constexpr (kInterpolated) c = varying_color(at, v.color, flat, w);
         if constexpr (kEnvironments == Environments::kModulate) c = modulate_all(state, batch, i, c);
         if constexpr (kEnvironments == Environments::kGeneral) c = apply_environments(state, batch, i, c);
-        if constexpr (kEnvironments == Environments::kCombine) c = combiner.combine_all(state, batch, i, c);
+        if constexpr (kEnvironments == Environments::kCombine) c = combine_all(combiner, state, batch, i, c);
         if constexpr (!kPlain) {
             if (k.separate_specular) {
                 const auto second = [&](int channel) TERRAZZO_INLINE_LAMBDA {
