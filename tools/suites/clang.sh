@@ -7,4 +7,4 @@ need_packages build tests clang
 echo build-clang >>"$1"
 rm -f build-clang/meson-logs/testlog.*
 CC=clang CXX=clang++ build_in build-clang -Dwerror=true || exit 1
-meson test -C build-clang --no-rebuild --print-errorlogs --no-suite long --no-suite scenes
+meson test -C build-clang --no-rebuild --print-errorlogs --timeout-multiplier 4 --no-suite long --no-suite scenes
