@@ -43,6 +43,13 @@ void prefetch(uintptr_t command) {
     for (size_t offset = 0; offset < 192; offset += 64) __builtin_prefetch(lines + offset);
 }
 
+// One for each thread that may draw. They serve every target.
+std::vector<std::unique_ptr<raster::Batch>> new_batches() {
+    std::vector<std::unique_ptr<raster::Batch>> batches(static_cast<size_t>(thread_count()));
+    for (auto& batch : batches) batch = std::make_unique_for_overwrite<raster::Batch>();
+    return batches;
+}
+
 }  // namespace
 
 void Arena::next_block() {
@@ -95,15 +102,13 @@ void Frame::begin(std::shared_ptr<raster::Target> target, DrawnColors colors) {
     std::vector<BinList> bins(count);
     std::vector<int> touched;
     touched.reserve(count);
-    std::vector<std::unique_ptr<raster::Batch>> batches(static_cast<size_t>(target ? thread_count() : 0));
+    if (target && m_batches.empty()) m_batches = new_batches();
     std::vector<std::atomic<int>> unfinished(target ? count / static_cast<size_t>(target->bins_across()) : 0);
-    for (auto& batch : batches) batch = std::make_unique_for_overwrite<raster::Batch>();
     draw();
     m_target = std::move(target);
     m_colors = colors;
     m_bins = std::move(bins);
     m_touched = std::move(touched);
-    m_batches = std::move(batches);
     m_unfinished = std::move(unfinished);
 }
 
