@@ -66,7 +66,8 @@ void choose_stages(FragmentState& state, std::span<TextureStage> units) {
     const bool has_output = k.color_mask != 0 || !tests_early(k) || k.alpha_func != Compare::kAlways;
     if (!has_output) return;
     out.output = choose_output_stage(state);
-    out.sample_output = has_wide_channels(k.color_format) ? wide_sample_output_stage : sample_output_stage;
+    out.sample_output = has_wide_channels(k.color_format) ? sample_output_stage<WideOutput>
+                                                          : sample_output_stage<PackedOutput>;
     out.shades = true;
     out.shows_texels = shows_texels(state);
     if (!out.shows_texels)

@@ -10,20 +10,7 @@ namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 
 using namespace raster;
 
-// The arithmetic of one channel: 8-bit or 16-bit integers or floats behind the same names.
-struct Channel8 {
-    using Value = I32x16;
-    static constexpr bool kTakesFactorOut = false;
-    static TERRAZZO_INLINE Value one() { return I32x16(255); }
-    static TERRAZZO_INLINE Value zero() { return I32x16(0); }
-    static TERRAZZO_INLINE Value constant(float f) { return to_unorm8(F32x16(f)); }
-    static TERRAZZO_INLINE Value multiply(Value a, Value b) {
-        const I32x16 ab = a * b;
-        return shift_right<8>(ab + shift_right<8>(ab) + I32x16(128));
-    }
-    static TERRAZZO_INLINE Value add(Value a, Value b) { return min(a + b, I32x16(255)); }
-    static TERRAZZO_INLINE Value subtract(Value a, Value b) { return max(a - b, I32x16(0)); }
-};
+// The arithmetic of one channel: 16-bit integers or floats behind the same names. Of 8 bits: blend_packed.h.
 struct Channel16 {
     using Value = I32x16;
     static constexpr bool kTakesFactorOut = false;
@@ -121,17 +108,6 @@ template <class Channel>
 TERRAZZO_NOINLINE void blend_general(const FragmentState& state, const BlendInput<Channel>& in,
                                      typename Channel::Value out[4]) {
     for (int c = 0; c < 4; ++c) out[c] = blend_channel<Channel>(state, in, c);
-}
-
-// The two common cases on 8-bit colours.
-TERRAZZO_INLINE void blend_alpha(const BlendInput<Channel8>& in, I32x16 out[4]) {
-    const I32x16 rest = Channel8::one() - in.source[3];
-    for (int c = 0; c < 4; ++c)
-        out[c] = Channel8::add(Channel8::multiply(in.source[c], in.source[3]),
-                               Channel8::multiply(in.destination[c], rest));
-}
-TERRAZZO_INLINE void blend_additive(const BlendInput<Channel8>& in, I32x16 out[4]) {
-    for (int c = 0; c < 4; ++c) out[c] = Channel8::add(in.source[c], in.destination[c]);
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

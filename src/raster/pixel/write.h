@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/pixel/blend.h"
+#include "raster/pixel/blend_packed.h"
 #include "raster/target.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
@@ -32,39 +33,21 @@ TERRAZZO_INLINE void store_pixels(I32x16 packed, uint32_t mask, uint32_t* pixels
     }
 }
 
-// Whether every channel is known to lie in [0, 1]: a clamped constant.
-template <class Key>
-TERRAZZO_INLINE bool is_bounded(Key key) {
-    const FragmentKey& k = key.value;
-    return !k.interpolated_color && k.image != PixelImage::kRgba32F && !k.separate_specular &&
-           k.fog == FogMode::kNone && !k.textured;
-}
-
-template <class Key>
-TERRAZZO_INLINE I32x16 quantize(Key key, F32x16 f) {
-    return is_bounded(key) ? round_to_int(f * F32x16(255.0f)) : to_unorm8(f);
-}
-
 // What an RGBA8 pixel that holds `old` is to hold; `old` is looked at only where the state makes it matter.
 template <class Key>
 TERRAZZO_INLINE I32x16 finish_rgba8(Key key, const FragmentState& state, const Color& color, I32x16 old) {
     const FragmentKey& k = key.value;
-    Color8 c{quantize(key, color.r), quantize(key, color.g), quantize(key, color.b), quantize(key, color.a)};
+    I32x16 packed = quantize_rgba8(color);
     if (k.blend != BlendKind::kNone) {
-        Color8 d = unpack_rgba8(old);
-        if (!state.has_destination_alpha) d.a = I32x16(255);
-        const BlendInput<Channel8> in{{c.r, c.g, c.b, c.a}, {d.r, d.g, d.b, d.a}};
-        I32x16 out[4];
+        const I32x16 there = state.has_destination_alpha ? old : old | I32x16(kAlphaByte);
         if (k.blend == BlendKind::kAlpha) {
-            blend_alpha(in, out);
+            packed = mix_by_alpha(packed, there);
         } else if (k.blend == BlendKind::kAdditive) {
-            blend_additive(in, out);
+            packed = add_bytes(packed, there);
         } else {
-            blend_general<Channel8>(state, in, out);
+            packed = blend_packed(state, {packed, there, quantize_rgba8(uniform_color(state.blend_color))});
         }
-        c = {out[0], out[1], out[2], out[3]};
     }
-    I32x16 packed = pack_rgba8(c);
     if (k.logic_op) packed = apply_logic_op(state.logic_op, packed, old);
     if (k.color_mask != 0xf) {
         const I32x16 writable(byte_mask(k.color_mask));

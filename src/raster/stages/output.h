@@ -4,7 +4,6 @@
 
 #include "raster/pixel/key.h"
 #include "raster/pixel/write.h"
-#include "raster/stages/blend.h"
 #include "raster/stages/test.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
@@ -51,23 +50,25 @@ TERRAZZO_INLINE I32x16 load_pixels(ColorFormat format, const std::byte* pixels) 
 // Any state of a buffer with eight bits a channel, chosen as it runs.
 class PackedOutput {
   public:
-    TERRAZZO_INLINE explicit PackedOutput(const FragmentState& state)
+    TERRAZZO_INLINE PackedOutput(const FragmentState& state, Batch& batch)
         : m_state(state),
+          m_batch(batch),
+          m_source(source_pixels(state, batch)),
           m_reference(to_unorm8(F32x16(state.alpha_reference))),
           m_constant(quantize_rgba8(uniform_color(state.blend_color))),
           m_opaque(state.has_destination_alpha ? 0 : kAlphaByte),
           m_writable(byte_mask(state.key.color_mask)) {}
 
     // The pixels that pass the alpha test: compared in eight bits where the buffer has eight bits of alpha.
-    TERRAZZO_INLINE uint32_t passing(Batch& batch, int entry, I32x16 pixels) const {
+    TERRAZZO_INLINE uint32_t passing(int entry) const {
         const FragmentKey& k = m_state.key;
         if (k.color_format == ColorFormat::kRgba8)
-            return bits_of(alpha_passes(k.alpha_func, pixels, m_reference));
-        return bits_of(compare(k.alpha_func, load(batch.alphas()[entry]), F32x16(m_state.alpha_reference)));
+            return bits_of(alpha_passes(k.alpha_func, load(m_source[entry]), m_reference));
+        return bits_of(compare(k.alpha_func, load(m_batch.alphas()[entry]), F32x16(m_state.alpha_reference)));
     }
-
-    TERRAZZO_INLINE void write(I32x16 pixels, uint32_t mask, const Bin& bin, int tile) const {
+    TERRAZZO_INLINE void write(int entry, uint32_t mask, const Bin& bin, int tile) const {
         const FragmentKey& k = m_state.key;
+        I32x16 pixels = load(m_source[entry]);
         std::byte* const to = bin.color + static_cast<size_t>(tile) * kTilePixels *
                                               static_cast<size_t>(bytes_per_pixel(k.color_format));
         const I32x16 old = load_pixels(k.color_format, to);
@@ -80,61 +81,67 @@ class PackedOutput {
             store_rgb565(pixels, mask, to);
         }
     }
+    // Where nothing is read and all of a pixel written: what goes there.
+    TERRAZZO_INLINE bool stores_only() const {
+        const FragmentKey& k = m_state.key;
+        return k.color_format == ColorFormat::kRgba8 && k.blend == BlendKind::kNone && !k.logic_op &&
+               k.color_mask == 0xf;
+    }
+    TERRAZZO_INLINE I32x16 pixels(int entry) const { return load(m_source[entry]); }
 
   private:
     const FragmentState& m_state;
+    Batch& m_batch;
+    const Batch::Words* m_source;
     I32x16 m_reference, m_constant, m_opaque, m_writable;
 };
 
-inline void general_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
-    const FragmentKey& k = state.key;
-    const RuntimeKey key{k};
-    const Batch::Words* const source = source_pixels(state, batch);
-    const PackedOutput output(state);
-    const bool late = !tests_early(k) && (k.depth_test || k.stencil_test);
-    for (int i = 0; i < batch.count; ++i) {
-        const I32x16 pixels = load(source[i]);
-        uint32_t mask = batch.masks[i];
-        const int tile = batch.tiles[i];
-        if (k.alpha_func != Compare::kAlways) mask &= output.passing(batch, i, pixels);
-        if (late && mask != 0)
-            mask = depth_stencil_test(key, state, state.depth_bits, *batch.primitives[i],
-                                      planes_of(batch, bin, i), bin, tile, mask);
-        batch.masks[i] = static_cast<uint16_t>(mask);
-        if (mask != 0 && k.color_mask != 0) output.write(pixels, mask, bin, tile);
+// The same of 16 bits or a float a channel.
+class WideOutput {
+  public:
+    TERRAZZO_INLINE WideOutput(const FragmentState& state, Batch& batch) : m_state(state), m_batch(batch) {}
+
+    TERRAZZO_INLINE uint32_t passing(int entry) const {
+        const F32x16 alpha = load(m_batch.wide_colors[entry][3]);
+        return bits_of(compare(m_state.key.alpha_func, alpha, F32x16(m_state.alpha_reference)));
     }
-}
+    TERRAZZO_INLINE void write(int entry, uint32_t mask, const Bin& bin, int tile) const {
+        const auto& c = m_batch.wide_colors[entry];
+        write_color(RuntimeKey{m_state.key}, m_state, {load(c[0]), load(c[1]), load(c[2]), load(c[3])}, mask,
+                    bin, tile);
+    }
+    static constexpr bool stores_only() { return false; }
+    static TERRAZZO_INLINE I32x16 pixels(int) { return I32x16(0); }
 
-TERRAZZO_INLINE Color wide_color(const Batch& batch, int entry) {
-    const auto& channels = batch.wide_colors[entry];
-    return {load(channels[0]), load(channels[1]), load(channels[2]), load(channels[3])};
-}
+  private:
+    const FragmentState& m_state;
+    Batch& m_batch;
+};
 
-// Buffers of 16 bits or a float a channel.
-inline void wide_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
+template <class Output>
+void general_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     const FragmentKey& k = state.key;
     const RuntimeKey key{k};
+    const Output output(state, batch);
     const bool late = !tests_early(k) && (k.depth_test || k.stencil_test);
     for (int i = 0; i < batch.count; ++i) {
-        const Color color = wide_color(batch, i);
         uint32_t mask = batch.masks[i];
         const int tile = batch.tiles[i];
-        if (k.alpha_func != Compare::kAlways)
-            mask &= bits_of(compare(k.alpha_func, color.a, F32x16(state.alpha_reference)));
+        if (k.alpha_func != Compare::kAlways) mask &= output.passing(i);
         if (late && mask != 0)
             mask = depth_stencil_test(key, state, state.depth_bits, *batch.primitives[i],
                                       planes_of(batch, bin, i), bin, tile, mask);
         batch.masks[i] = static_cast<uint16_t>(mask);
-        if (mask != 0) write_color(key, state, color, mask, bin, tile);
+        if (mask != 0 && k.color_mask != 0) output.write(i, mask, bin, tile);
     }
 }
 
 TERRAZZO_INLINE Stage choose_output_stage(const FragmentState& state) {
     const FragmentKey& k = state.key;
-    if (has_wide_channels(k.color_format)) return wide_output_stage;
+    if (has_wide_channels(k.color_format)) return general_output_stage<WideOutput>;
     const bool tests_late = !tests_early(k) && (k.depth_test || k.stencil_test);
     if (k.color_format != ColorFormat::kRgba8 || k.color_mask != 0xf || k.logic_op || tests_late)
-        return general_output_stage;
+        return general_output_stage<PackedOutput>;
     const bool alpha = k.alpha_func != Compare::kAlways;
     switch (k.blend) {
         case BlendKind::kNone:
@@ -149,7 +156,7 @@ TERRAZZO_INLINE Stage choose_output_stage(const FragmentState& state) {
         case BlendKind::kGeneral:
             break;
     }
-    return general_output_stage;
+    return general_output_stage<PackedOutput>;
 }
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

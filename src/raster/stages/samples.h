@@ -65,50 +65,29 @@ TERRAZZO_INLINE Stage choose_sample_test_stage(const FragmentState& state) {
 }
 
 // What is left to be done after the tests, entry after entry.
-inline void sample_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
+template <class Output>
+void sample_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     const FragmentKey& k = state.key;
     const RuntimeKey key{k};
-    const Batch::Words* const source = source_pixels(state, batch);
-    const PackedOutput output(state);
-    const bool late = !tests_early(k) && (k.depth_test || k.stencil_test);
-    const bool stores_only = k.color_format == ColorFormat::kRgba8 && k.blend == BlendKind::kNone &&
-                             !k.logic_op && k.color_mask == 0xf;
+    const Output output(state, batch);
+    const bool late = !tests_early(k) && (k.depth_test || k.stencil_test), stores_only = output.stores_only();
     for (int i = 0; i < batch.count; ++i) {
-        const I32x16 pixels = load(source[i]);
         SampleMasks masks(batch.sample_masks[i]);
         const int tile = batch.tiles[i];
-        if (k.alpha_func != Compare::kAlways) masks.keep(output.passing(batch, i, pixels));
+        if (k.alpha_func != Compare::kAlways) masks.keep(output.passing(i));
         if (late && masks.any() != 0)
             test_samples(key, state, *batch.primitives[i], planes_of_corner(batch, bin, i),
                          planes_of(batch, bin, i), bin, tile, masks);
         for (int s = 0; s < kMaxSamples; ++s) batch.sample_masks[i][s] = static_cast<uint16_t>(masks.of[s]);
         if (masks.any() == 0 || k.color_mask == 0) continue;
         if (stores_only) {
-            write_packed_samples(key, pixels, masks, bin, tile);
+            write_packed_samples(key, output.pixels(i), masks, bin, tile);
             continue;
         }
         const int samples = stays_alike(key, masks, bin, tile) ? 1 : kMaxSamples;
         for (int s = 0; s < samples; ++s)
             if (masks.of[s] != 0)
-                output.write(pixels, masks.of[s], planes_of_sample(bin, s, k.color_format), tile);
-    }
-}
-
-inline void wide_sample_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
-    const FragmentKey& k = state.key;
-    const RuntimeKey key{k};
-    const bool late = !tests_early(k) && (k.depth_test || k.stencil_test);
-    for (int i = 0; i < batch.count; ++i) {
-        const Color color = wide_color(batch, i);
-        SampleMasks masks(batch.sample_masks[i]);
-        const int tile = batch.tiles[i];
-        if (k.alpha_func != Compare::kAlways)
-            masks.keep(bits_of(compare(k.alpha_func, color.a, F32x16(state.alpha_reference))));
-        if (late && masks.any() != 0)
-            test_samples(key, state, *batch.primitives[i], planes_of_corner(batch, bin, i),
-                         planes_of(batch, bin, i), bin, tile, masks);
-        for (int s = 0; s < kMaxSamples; ++s) batch.sample_masks[i][s] = static_cast<uint16_t>(masks.of[s]);
-        if (masks.any() != 0) write_samples(key, state, color, masks, bin, tile);
+                output.write(i, masks.of[s], planes_of_sample(bin, s, k.color_format), tile);
     }
 }
 

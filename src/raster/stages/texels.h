@@ -58,9 +58,7 @@ TERRAZZO_INLINE void sample_tile(const FragmentState& state, const TextureStage&
     const uint32_t mask = batch.masks[entry];
     const Color c = sampler.faces ? sample_cube(sampler, at, mask) : sample_texture(sampler, at, mask);
     std::byte* const to = texels_of(state, stage, batch, entry);
-    if (!stage.texels_are_floats)
-        return store(pack_rgba8({to_unorm8(c.r), to_unorm8(c.g), to_unorm8(c.b), to_unorm8(c.a)}),
-                     reinterpret_cast<uint32_t*>(to));
+    if (!stage.texels_are_floats) return store(quantize_rgba8(c), reinterpret_cast<uint32_t*>(to));
     float* const channels = reinterpret_cast<float*>(to);
     store(c.r, channels), store(c.g, channels + 16), store(c.b, channels + 32), store(c.a, channels + 48);
 }
