@@ -56,9 +56,6 @@ TERRAZZO_INLINE TexelPairs split_pairs(I32x16 packed) {
 TERRAZZO_INLINE TexelPairs lerp_pairs(TexelPairs a, TexelPairs b, I32x16 weight) {
     return {lerp_pairs(a.rb, b.rb, weight), lerp_pairs(a.ga, b.ga, weight)};
 }
-TERRAZZO_INLINE I32x16 join_pairs(TexelPairs t) {
-    return t.rb | shift_left<8>(t.ga);
-}
 TERRAZZO_INLINE Color8 to_color8(TexelPairs t) {
     const I32x16 low(0xffff);
     return {t.rb & low, t.ga & low, shift_right_logical<16>(t.rb), shift_right_logical<16>(t.ga)};
@@ -150,11 +147,10 @@ TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLe
                       pair_weights(y.weight));
 }
 
-// The same for one level that repeats both ways, LINEAR: the hot case. What all tiles share is read once,
-// because the compiler has to expect that a store to a tile changes it.
+// The same for one level that repeats both ways, LINEAR, for who samples a tile at a time; batches:
+// stages/footprint.h.
 class RepeatedBilinear {
   public:
-    TERRAZZO_INLINE RepeatedBilinear() = default;
     TERRAZZO_INLINE explicit RepeatedBilinear(const MipLevel& level)
         : m_level(level), m_masks_wrap(is_power_of_two(level.width) && is_power_of_two(level.height)) {}
 
@@ -193,7 +189,7 @@ class RepeatedBilinear {
     const int32_t* texels() const { return static_cast<const int32_t*>(m_level.texels); }
 
     MipLevel m_level;
-    bool m_masks_wrap = false;
+    bool m_masks_wrap;
 };
 
 // The same of one image of a 3D texture, which begins `slice` texels after the first.
