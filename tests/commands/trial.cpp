@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 namespace terrazzo::test {
 namespace {
@@ -205,6 +206,14 @@ Outcome Trial::outcome() {
     return out;
 }
 
+namespace {
+std::vector<GLubyte> repeated(std::initializer_list<GLubyte> bytes, size_t count) {
+    std::vector<GLubyte> all;
+    while (all.size() < count) all.insert(all.end(), bytes);
+    return all;
+}
+}  // namespace
+
 void Trial::draw() {
     const auto vertex = [&](GLfloat x, GLfloat y) {
         gl.Normal3f(x, y, 0.75f);
@@ -229,12 +238,14 @@ void Trial::draw() {
     gl.Begin(GL_POINTS);
     for (const auto& [x, y] : {std::pair{-0.5f, -0.5f}, {0.5f, 0.4f}}) vertex(x, y);
     gl.End();
-    const GLubyte bits[] = {0x5a, 0xf0, 0x33, 0x81, 0x7e, 0x18, 0xff, 0x42};
-    const GLubyte pixels[] = {250, 130, 20, 200, 10, 90, 180, 160, 60, 240, 120, 70, 30, 50, 220, 110};
+    // As often as the largest rows, skips and alignments that a change sets reach.
+    static const std::vector<GLubyte> bits = repeated({0x5a, 0xf0, 0x33, 0x81, 0x7e, 0x18, 0xff, 0x42}, 8192);
+    static const std::vector<GLubyte> pixels =
+        repeated({250, 130, 20, 200, 10, 90, 180, 160, 60, 240, 120, 70, 30, 50, 220, 110}, 8192);
     gl.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.Bitmap(8, 8, 1, 2, 9, 3, bits);
-    gl.DrawPixels(2, 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    gl.Bitmap(8, 8, 1, 2, 9, 3, bits.data());
+    gl.DrawPixels(2, 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     gl.PopClientAttrib();
 }
 
