@@ -12,7 +12,7 @@
 #include "gl/pixel_convert.h"
 #include "gl/pixel_tiles.h"
 #include "gl/read_source.h"
-#include "pipeline/read_row.h"
+#include "raster/target/read_row.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -13,8 +13,8 @@
 #include "gl/buffers.h"
 #include "gl/client_pixel.h"
 #include "gl/limits.h"
-#include "pipeline/renderer.h"
-#include "pipeline/vertex_input.h"
+#include "pipeline/geometry/renderer.h"
+#include "pipeline/geometry/vertex_input.h"
 
 namespace terrazzo::gl {
 

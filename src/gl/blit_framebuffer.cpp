@@ -12,8 +12,8 @@
 #include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
 #include "gl/read_source.h"
-#include "pipeline/read_row.h"
-#include "pipeline/write_row.h"
+#include "raster/target/read_row.h"
+#include "raster/target/write_row.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/texture_image.h"
+#include "raster/target/texture_image.h"
 
 namespace terrazzo::gl {
 

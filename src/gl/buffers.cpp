@@ -10,7 +10,7 @@
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/share.h"
-#include "pipeline/sole_owner.h"
+#include "raster/target/sole_owner.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -34,7 +34,7 @@
 #include "gl/surface.h"
 #include "gl/texture.h"
 #include "gl/vertex.h"
-#include "pipeline/renderer.h"
+#include "pipeline/geometry/renderer.h"
 
 namespace terrazzo::gl {
 

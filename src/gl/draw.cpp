@@ -7,7 +7,7 @@
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/translate.h"
-#include "raster/color_format.h"
+#include "raster/target/color_format.h"
 
 namespace terrazzo::gl {
 

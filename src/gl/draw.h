@@ -6,7 +6,7 @@
 #include <array>
 #include <memory>
 
-#include "pipeline/renderer.h"
+#include "pipeline/geometry/renderer.h"
 
 namespace terrazzo::gl {
 

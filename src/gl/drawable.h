@@ -5,9 +5,10 @@
 // or read from it keep it alive. Depth and stencil are shared by its one or two colour buffers.
 //
 // Threads: contexts of several may have one drawable. Its mutex guards which buffers it has; their pixels are
-// guarded by the target's (raster/target.h), which is taken after this one. A context goes on drawing to the
-// target it knows until it follows the drawable, and owns it meanwhile; so it must not ask the drawable for
-// the size of what it draws to. In which order two threads' drawing comes is undefined, as GL has it.
+// guarded by the target's (raster/target/target.h), which is taken after this one. A context goes on drawing
+// to the target it knows until it follows the drawable, and owns it meanwhile; so it must not ask the
+// drawable for the size of what it draws to. In which order two threads' drawing comes is undefined, as GL
+// has it.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +17,8 @@
 #include <utility>
 
 #include "gl/accumulation.h"
-#include "pipeline/resolve.h"
-#include "raster/target.h"
+#include "raster/target/copy_out.h"
+#include "raster/target/target.h"
 
 namespace terrazzo::gl {
 

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "gl/drawable.h"
-#include "pipeline/frame.h"
+#include "pipeline/schedule/frame.h"
 
 namespace terrazzo::gl {
 

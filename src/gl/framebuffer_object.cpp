@@ -9,8 +9,8 @@
 #include "gl/pixel_convert.h"
 #include "gl/share.h"
 #include "gl/texel_row.h"
-#include "pipeline/read_row.h"
-#include "pipeline/write_row.h"
+#include "raster/target/read_row.h"
+#include "raster/target/write_row.h"
 
 namespace terrazzo::gl {
 namespace {

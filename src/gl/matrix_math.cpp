@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "gl/matrix_inverse.h"
-#include "pipeline/trigonometry.h"
+#include "simd/trigonometry.h"
 
 namespace terrazzo::gl {
 

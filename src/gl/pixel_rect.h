@@ -2,7 +2,7 @@
 // and CopyPixels have in common (GL 1.5 §3.6.4, §3.7).
 #pragma once
 
-#include "pipeline/renderer.h"
+#include "pipeline/geometry/renderer.h"
 
 namespace terrazzo::gl {
 

@@ -12,8 +12,8 @@
 #include "gl/context.h"
 #include "gl/draw.h"
 #include "gl/generated/commands.h"
-#include "pipeline/float_environment.h"
-#include "pipeline/geometry_table.h"
+#include "pipeline/geometry/geometry_table.h"
+#include "pipeline/schedule/float_environment.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -6,7 +6,7 @@
 #include "gl/context.h"
 #include "gl/pixel_convert.h"
 #include "gl/pixel_transfer.h"
-#include "pipeline/read_row.h"
+#include "raster/target/read_row.h"
 
 namespace terrazzo::gl {
 namespace {

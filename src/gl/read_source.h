@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "gl/drawable.h"
-#include "raster/target.h"
+#include "raster/target/target.h"
 
 namespace terrazzo::gl {
 

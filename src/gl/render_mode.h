@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "gl/limits.h"
-#include "pipeline/renderer.h"
+#include "pipeline/geometry/renderer.h"
 
 namespace terrazzo::gl {
 

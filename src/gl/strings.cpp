@@ -1,12 +1,13 @@
 // GetString (GL 1.5 §6.1.11). The version is that of the dispatch table: it never promises more than is
 // there.
+#include "gl/strings.h"
+
 #include <string>
 
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/generated/dispatch.h"
-#include "gl/strings.h"
-#include "pipeline/workers.h"
+#include "pipeline/schedule/workers.h"
 #include "raster/kernel_table.h"
 
 namespace terrazzo::gl {

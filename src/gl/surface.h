@@ -11,8 +11,8 @@
 #include <memory>
 
 #include "gl/drawable.h"
-#include "pipeline/resolve.h"
-#include "raster/target.h"
+#include "raster/target/copy_out.h"
+#include "raster/target/target.h"
 
 namespace terrazzo::gl {
 

@@ -9,7 +9,7 @@
 
 #include "gl/pixels.h"
 #include "gl/texture_format.h"
-#include "pipeline/texture_image.h"
+#include "raster/target/texture_image.h"
 
 namespace terrazzo::gl {
 

@@ -16,7 +16,7 @@
 #include "gl/limits.h"
 #include "gl/texture_env.h"
 #include "gl/texture_format.h"
-#include "pipeline/texture_image.h"
+#include "raster/target/texture_image.h"
 
 namespace terrazzo::gl {
 

@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "pipeline/texture_image.h"
+#include "raster/target/texture_image.h"
 
 namespace terrazzo::gl {
 

@@ -5,9 +5,9 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "pipeline/renderer.h"
-#include "pipeline/vertex_input.h"
-#include "raster/state.h"
+#include "pipeline/geometry/renderer.h"
+#include "pipeline/geometry/vertex_input.h"
+#include "raster/fragment_state.h"
 
 namespace terrazzo::gl {
 

@@ -10,7 +10,7 @@
 #include "gl/limits.h"
 #include "gl/share.h"
 #include "gl/translate.h"
-#include "pipeline/statistics.h"
+#include "pipeline/schedule/statistics.h"
 
 namespace terrazzo::gl {
 namespace {

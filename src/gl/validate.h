@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "pipeline/fragment_block.h"
-#include "pipeline/vertex_input.h"
-#include "pipeline/vertex_state.h"
+#include "pipeline/geometry/vertex_input.h"
+#include "pipeline/geometry/vertex_state.h"
+#include "pipeline/schedule/fragment_block.h"
 
 namespace terrazzo::gl {
 

@@ -5,7 +5,7 @@
 
 #include "gl/context.h"
 #include "gl/validate.h"
-#include "pipeline/trigonometry.h"
+#include "simd/trigonometry.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/vertex_input.h"
+#include "pipeline/geometry/vertex_input.h"
 
 namespace terrazzo::gl {
 

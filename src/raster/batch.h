@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "raster/primitive.h"
-#include "raster/target.h"
+#include "raster/target/target.h"
 
 namespace terrazzo::raster {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "raster/primitive.h"
-#include "raster/target.h"
+#include "raster/target/target.h"
 #include "simd/isa.h"
 
 namespace terrazzo::raster {
@@ -22,11 +22,11 @@ struct BinClear {
 
 struct KernelTable {
     simd::Isa isa;
-    // Chooses how the fragments of a state whose key and textures are there get their colours: its kernels, or
-    // stages of its own and of its texture units.
+    // Chooses how the fragments of a state whose key and textures are there get their colours: its kernels,
+    // or stages of its own and of its texture units.
     void (*choose)(FragmentState&, std::span<TextureStage> units);
-    // Draws one primitive into one bin, whose planes are materialised; or leaves it in the batch, which belongs
-    // to the bin until it is flushed.
+    // Draws one primitive into one bin, whose planes are materialised; or leaves it in the batch, which
+    // belongs to the bin until it is flushed.
     void (*draw_primitive)(const Primitive&, Bin&, Batch&);
     // The same for a bin of a multisampled target.
     void (*draw_multisampled)(const Primitive&, Bin&, Batch&);

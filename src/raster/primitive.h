@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "raster/state.h"
+#include "raster/fragment_state.h"
 
 namespace terrazzo::raster {
 

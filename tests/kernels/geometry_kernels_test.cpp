@@ -9,8 +9,8 @@
 #include <iterator>
 #include <vector>
 
-#include "pipeline/float_environment.h"
-#include "pipeline/geometry_table.h"
+#include "pipeline/geometry/geometry_table.h"
+#include "pipeline/schedule/float_environment.h"
 #include "random.h"
 #include "raster/kernel_table.h"
 

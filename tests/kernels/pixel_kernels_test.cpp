@@ -10,7 +10,7 @@
 #include <limits>
 #include <memory>
 
-#include "pipeline/float_environment.h"
+#include "pipeline/schedule/float_environment.h"
 #include "random.h"
 #include "raster/batch.h"
 #include "raster/kernel_table.h"

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
+#include "attach_picture.h"
 #include "both_libraries.h"
 #include "gl/client_pixel.h"
 #include "gl/generated/commands.h"
 #include "gl/surface.h"
-#include "raster/target.h"
-#include "attach_picture.h"
+#include "raster/target/target.h"
 
 namespace {
 

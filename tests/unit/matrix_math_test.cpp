@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "pipeline/trigonometry.h"
+#include "simd/trigonometry.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -7,7 +7,7 @@
 #include "gl/generated/commands.h"
 #include "gl/vertex_inline.h"
 #include "gl_fixture.h"
-#include "pipeline/statistics.h"
+#include "pipeline/schedule/statistics.h"
 
 namespace terrazzo::gl {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "frontends/x11/connection.h"
-#include "raster/target.h"
+#include "raster/target/target.h"
 
 namespace terrazzo::egl {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "pipeline/resolve.h"
+#include "raster/target/copy_out.h"
 
 namespace terrazzo::osmesa {
 

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <mutex>
 
-#include "pipeline/statistics.h"
+#include "pipeline/schedule/statistics.h"
 #include "simd/environment.h"
 
 namespace terrazzo::window {

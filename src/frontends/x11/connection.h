@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "frontends/x11/image.h"
-#include "pipeline/resolve.h"
-#include "raster/target.h"
+#include "raster/target/copy_out.h"
+#include "raster/target/target.h"
 
 namespace terrazzo::x11 {
 

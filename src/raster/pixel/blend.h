@@ -3,8 +3,8 @@
 // blend as floats.
 #pragma once
 
+#include "raster/fragment_state.h"
 #include "raster/pixel/color.h"
-#include "raster/state.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

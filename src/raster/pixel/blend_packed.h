@@ -1,9 +1,9 @@
 // Blending of packed pixels (GL 1.5 §4.1.7), every factor and equation, without unpacking them.
 #pragma once
 
+#include "raster/fragment_state.h"
 #include "raster/pixel/color.h"
 #include "raster/pixel/packed.h"
-#include "raster/state.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

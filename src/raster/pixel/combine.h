@@ -2,8 +2,8 @@
 // texel, and with COMBINE of other units' texels too. In floats, in the reference's order.
 #pragma once
 
+#include "raster/fragment_state.h"
 #include "raster/pixel/color.h"
-#include "raster/state.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

@@ -2,7 +2,7 @@
 // integers of stencil (§4.1.5) and of depth (§4.1.6).
 #pragma once
 
-#include "raster/state.h"
+#include "raster/fragment_state.h"
 #include "simd/wide.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {

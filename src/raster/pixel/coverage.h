@@ -1,5 +1,6 @@
 // Coverage of smooth lines and points (GL 1.5 §3.3.2, §3.4.3), which multiplies alpha: four varyings that
-// src/pipeline/smooth.cpp set up, all perspective. As the reference computes it (doc/reference.md §3.3).
+// src/pipeline/geometry/assemble/smooth.cpp set up, all perspective. As the reference computes it
+// (doc/reference.md §3.3).
 //
 // Lines: across the line and half its width, along it and half its length, from the middle. Points: x and y
 // from the centre in radii, the squared distance where the rim begins, and 1.

@@ -2,9 +2,9 @@
 // with both buffers brought up to date.
 #pragma once
 
-#include "raster/hidden.h"
 #include "raster/pixel/compare.h"
 #include "raster/pixel/interpolate.h"
+#include "raster/traverse/hidden.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "raster/primitive.h"
-#include "raster/target.h"
+#include "raster/target/target.h"
 #include "simd/wide.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {

@@ -2,7 +2,7 @@
 // or as it comes.
 #pragma once
 
-#include "raster/state.h"
+#include "raster/fragment_state.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

@@ -5,18 +5,18 @@
 
 #include <bit>
 
-#include "raster/half_space.h"
-#include "raster/pixel/anisotropic.h"
 #include "raster/pixel/combine.h"
 #include "raster/pixel/coverage.h"
-#include "raster/pixel/cube.h"
 #include "raster/pixel/depth_stencil.h"
 #include "raster/pixel/fog_alpha.h"
 #include "raster/pixel/interpolate.h"
 #include "raster/pixel/key.h"
-#include "raster/pixel/sample.h"
 #include "raster/pixel/stipple.h"
 #include "raster/pixel/write.h"
+#include "raster/sample/anisotropic.h"
+#include "raster/sample/cube.h"
+#include "raster/sample/filter.h"
+#include "raster/traverse/half_space.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

@@ -1,8 +1,8 @@
 // shade_tiles on a multisampled target (GL 1.5 §3.2.1, §4.1.3): a pixel is shaded once, at its centre, for
 // all of its samples that are covered; depth, stencil and the colours that are there belong to samples.
 //
-// A tile whose samples are all alike (raster/target.h) is worked on in the first sample's planes alone for as
-// long as that remains so.
+// A tile whose samples are all alike (raster/target/target.h) is worked on in the first sample's planes alone
+// for as long as that remains so.
 #pragma once
 
 #include "raster/pixel/shade.h"

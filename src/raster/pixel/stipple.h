@@ -1,7 +1,7 @@
 // Polygon stipple (GL 1.5 §3.5.2).
 #pragma once
 
-#include "raster/state.h"
+#include "raster/fragment_state.h"
 #include "simd/wide.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {

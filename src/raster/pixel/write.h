@@ -3,7 +3,7 @@
 
 #include "raster/pixel/blend.h"
 #include "raster/pixel/blend_packed.h"
-#include "raster/target.h"
+#include "raster/target/target.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

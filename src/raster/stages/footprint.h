@@ -4,7 +4,7 @@
 #pragma once
 
 #include "raster/batch.h"
-#include "raster/pixel/sample.h"
+#include "raster/sample/filter.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

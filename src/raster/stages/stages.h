@@ -4,7 +4,7 @@
 #include <span>
 
 #include "raster/batch.h"
-#include "raster/half_space.h"
+#include "raster/traverse/half_space.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
 

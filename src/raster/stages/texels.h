@@ -2,8 +2,8 @@
 // worked out before.
 #pragma once
 
-#include "raster/pixel/anisotropic.h"
-#include "raster/pixel/cube.h"
+#include "raster/sample/anisotropic.h"
+#include "raster/sample/cube.h"
 #include "raster/stages/fetch.h"
 #include "raster/stages/footprint.h"
 #include "raster/stages/place.h"

@@ -1,0 +1,119 @@
+// The way of a draw: from vertices to primitives in the bins of a frame, and of a frame to pixels.
+//
+// One renderer belongs to one context and is used by one thread at a time. Draws are queued; `finish` makes
+// them pixels. Texture images and other objects that a draw's states point at are kept by the frame until
+// then.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "pipeline/geometry/geometry_table.h"
+#include "pipeline/geometry/primitive_observer.h"
+#include "pipeline/geometry/vertex_input.h"
+#include "pipeline/geometry/vertex_state.h"
+#include "pipeline/schedule/fragment_block.h"
+#include "pipeline/schedule/frame.h"
+#include "raster/target/copy_out.h"
+
+namespace terrazzo::pipeline {
+
+enum class FillMode : uint8_t { kFill, kLine, kPoint };
+
+// How primitives of all kinds become fragments (GL 1.5 chapter 3).
+struct RasterState {
+    int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // scissor within the target, in raster rows; x1 and y1 exclusive
+    bool row0_is_top = true;
+    bool multisample = false;  // as FragmentState's
+    bool flat = false;
+    bool cull_front = false, cull_back = false;
+    bool front_is_clockwise = false;
+    FillMode fill[2] = {FillMode::kFill, FillMode::kFill};  // front, back
+    bool offset_fill = false, offset_line = false, offset_point = false;
+    float offset_factor = 0;
+    float offset_units = 0;  // in depth: already times twice the smallest step of the format
+    bool polygon_stipple = false;
+    float line_width = 1;
+    bool line_smooth = false;
+    bool line_stipple = false;
+    int line_stipple_factor = 1;
+    uint16_t line_stipple_pattern = 0xffff;
+    float point_size = 1;
+    bool point_smooth = false;
+    bool point_sprite = false;  // squares of any size, not of whole pixels
+    uint8_t sprite_units = 0;   // one bit for each unit whose coordinates span such a square
+};
+
+// All that a draw needs besides its vertices.
+struct DrawState {
+    VertexState vertex;
+    RasterState raster;
+    std::shared_ptr<const FragmentBlock> fragment;
+};
+
+// A run of vertices: consecutive elements, or elements by index.
+struct VertexRange {
+    uint32_t first = 0;
+    uint32_t count = 0;
+    const uint32_t* indices = nullptr;  // null: first, first + 1, ...
+    // The vertices come as they were given, not through indices or a display list: the reference then cuts
+    // quads along their other diagonal where it can (doc/reference.md §3.1).
+    bool in_order = false;
+    // A strip, loop or polygon that was cut: it began in the draw before, or does not end with this one.
+    bool continues = false;
+    bool is_continued = false;
+};
+
+// A rectangle of pixels that share their varyings, as bitmaps and pixel rectangles are (GL 1.5 §3.6.4, §3.7).
+struct PixelRect {
+    int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // in raster rows, x1 and y1 exclusive; may leave the target
+    float z = 0;
+    std::array<float, raster::kMaxPlanes> varyings{};  // in the order of raster::Varyings
+    raster::RectangleData data = raster::RectangleData::kNone;
+    raster::TileData tile_data{};
+    size_t data_bytes = 0;
+    // Keeps the tiles; null: they are copied.
+    std::shared_ptr<const void> owner;
+};
+
+class Renderer {
+  public:
+    // Draws from now on go to these colour buffers of `target`, which has them; queued ones are finished
+    // first. Null releases it. Throws std::bad_alloc and changes nothing then.
+    void set_target(std::shared_ptr<raster::Target> target, DrawnColors colors);
+    const std::shared_ptr<raster::Target>& target() const { return m_frame.target(); }
+    DrawnColors colors() const { return m_frame.colors(); }
+
+    // Queues a draw; the frame keeps what the draw's fragments need, the vertices are used up at once. Throws
+    // std::bad_alloc, and nothing of the draw is queued then. Draws the frame early whenever it has grown
+    // full, or where there is no memory for more: what is larger than a frame may have been drawn in part.
+    void draw(const DrawState& state, const VertexInput& input, PrimitiveMode mode, const VertexRange& range);
+    // Shows a draw's primitives to an observer instead. Throws std::bad_alloc.
+    void observe(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
+                 const VertexRange& range, PrimitiveObserver& observer);
+    // Queues a rectangle of pixels with the fragment state of points. Throws std::bad_alloc, and nothing is
+    // queued then.
+    void draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
+              const PixelRect& rect);
+    // Queues a clear. Throws std::bad_alloc, and nothing is queued then.
+    void clear(const raster::BinClear& clear);
+    // Draws everything that is queued. Throws std::bad_alloc where draws go to both colour buffers, and
+    // changes nothing then.
+    void finish();
+    // The same, with the picture copied out (raster/target/copy_out.h) bin by bin as it is finished.
+    void finish(PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
+
+  private:
+    template <typename Add>
+    void queue(Add add);
+    void add(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
+             const PixelRect& rect);
+
+    Frame m_frame;
+    ShadedVertices m_vertices;
+    ShadedVertices m_pivot;
+    uint32_t m_stipple_counter = 0;
+};
+
+}  // namespace terrazzo::pipeline

@@ -1,0 +1,178 @@
+// A frame: the draws and clears that wait for their pixels, sorted into bins (sort-middle, [Frolov 2020
+// §2.2.2], row R-11).
+//
+// Set-up primitives, fragment states and bin lists live in the frame's arena; images that they refer to are
+// kept alive by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in
+// the order of its list. Frames of several threads may have one target: they are drawn one after the other.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "pipeline/schedule/fragment_block.h"
+#include "raster/kernel_table.h"
+#include "raster/primitive.h"
+#include "raster/target/target.h"
+#include "raster/target/texture_image.h"
+
+namespace terrazzo::pipeline {
+
+// Memory that is handed out in order and taken back all at once.
+class Arena {
+  public:
+    static constexpr size_t kBlockSize = 256 * 1024;
+
+    // 16-byte aligned; throws std::bad_alloc. At most kBlockSize bytes.
+    void* allocate(size_t bytes) {
+        bytes = (bytes + 15) & ~size_t{15};
+        if (bytes > m_left) next_block();
+        std::byte* const memory = m_next;
+        m_next += bytes;
+        m_left -= bytes;
+        return memory;
+    }
+    size_t used_bytes() const { return m_used_blocks * kBlockSize; }
+    // Takes everything back; blocks are kept for the next frame, but no more than the last ones needed.
+    void reset();
+
+    // How far the memory is handed out.
+    struct Mark {
+        size_t used_blocks;
+        std::byte* next;
+        size_t left;
+    };
+    Mark mark() const { return {m_used_blocks, m_next, m_left}; }
+    // Whether memory was handed out after the mark was taken.
+    bool is_after(const Mark& mark, const void* memory) const;
+    // Takes back what was handed out since.
+    void rewind(const Mark& mark);
+
+  private:
+    void next_block();
+
+    std::vector<std::unique_ptr<std::byte[]>> m_blocks;
+    size_t m_used_blocks = 0;
+    std::byte* m_next = nullptr;
+    size_t m_left = 0;
+};
+
+// The colour buffers of the target that a frame draws to. Of both the depth test sees one history.
+enum class DrawnColors : uint8_t { kFirst, kSecond, kBoth };
+
+// The one that a frame leaves in its place.
+constexpr raster::ColorPlane shown_color(DrawnColors colors) {
+    return colors == DrawnColors::kSecond ? raster::ColorPlane::kSecond : raster::ColorPlane::kFirst;
+}
+
+class Frame {
+  public:
+    Frame();
+    ~Frame();
+
+    // What a frame may hold before it has to be drawn: primitives and states, and as much again in images
+    // that their textures have given up. All together stays far below 256 MB.
+    static constexpr size_t kMaxBytes = 64u << 20;
+
+    // Draws what is queued, then begins anew on these colour buffers of `target`, which has them. Throws
+    // std::bad_alloc and changes nothing then.
+    void begin(std::shared_ptr<raster::Target> target, DrawnColors colors);
+    const std::shared_ptr<raster::Target>& target() const { return m_target; }
+    DrawnColors colors() const { return m_colors; }
+
+    bool empty() const { return m_commands == 0; }
+    bool full() const {
+        return m_arena.used_bytes() + m_kept_bytes >= kMaxBytes ||
+               TextureImage::abandoned_bytes() >= kMaxBytes;
+    }
+    size_t command_count() const { return m_commands; }
+    Arena& arena() { return m_arena; }
+
+    // What is queued at the moment, for taking back what is queued after it.
+    struct Mark {
+        Arena::Mark arena;
+        size_t kept, kept_bytes, commands, primitives, counters;
+        uint64_t frame;
+    };
+    Mark mark() const {
+        return {m_arena.mark(),           m_kept.size(), m_kept_bytes, m_commands, m_primitives,
+                m_sample_counters.size(), m_frame};
+    }
+    // Whether nothing has been drawn since the mark was taken.
+    bool still_holds(const Mark& mark) const { return mark.frame == m_frame; }
+    // Forgets what was queued since. Of a frame that has been drawn meanwhile everything: it was queued
+    // later. A clear that had become part of the frame stays.
+    void take_back(const Mark& mark);
+
+    // Keeps a fragment state alive until the frame has been drawn.
+    void keep(std::shared_ptr<const FragmentBlock> block) {
+        if (!m_kept.empty() && m_kept.back() == block) return;
+        if (block->fill.samples_passed) m_sample_counters.push_back(block->fill.samples_passed);
+        const size_t bytes = block->size_in_bytes();
+        keep(std::move(block), bytes);
+    }
+    // The same for other memory.
+    void keep(std::shared_ptr<const void> memory, size_t bytes) {
+        m_kept.push_back(std::move(memory));
+        m_kept_bytes += bytes;
+    }
+
+    // Into the lists of all bins that the primitive's rectangle touches, less those an edge shuts out. Throws
+    // std::bad_alloc, and may be in some of the lists then.
+    void add(const raster::Primitive& primitive);
+    // A clear of a rectangle of pixels through masks. Throws std::bad_alloc and changes nothing then.
+    void add(const raster::BinClear& clear);
+
+    // Draws everything queued, on all threads, and forgets it; other frames that draw to the target wait.
+    // Needs no memory, but for drawing to both colour buffers: throws std::bad_alloc then, before anything
+    // is drawn.
+    void draw();
+    // What is handed over at a time: a bin, or a whole row of them.
+    enum class Group : uint8_t { kBin, kRow };
+    // The same, and hands each bin, or row of bins, of the target over to `finished` as soon as its pixels
+    // are done, while they are still in the cache of a thread that drew them: those of the colour buffer
+    // drawn to, the first of both. `finished` may run on several threads at a time and must not throw.
+    void draw(Group group, const std::function<void(int first, int count)>& finished);
+
+  private:
+    // Bin lists are chunks of tagged pointers: bit 0 marks a clear.
+    struct Chunk {
+        Chunk* next;
+        uint32_t count;
+        uintptr_t commands[62];
+    };
+    static_assert(sizeof(Chunk) == 64 * sizeof(void*));
+    struct BinList {
+        Chunk* first = nullptr;
+        Chunk* last = nullptr;
+    };
+
+    void make_room(int bin);
+    void push(int bin, uintptr_t command);
+    // `thread`: of those that draw, from 0.
+    void draw_bin(int index, int thread) const;
+    void draw_bins();
+    void draw_second_color();
+    void reset();
+
+    std::shared_ptr<raster::Target> m_target;
+    Arena m_arena;
+    std::vector<BinList> m_bins;
+    std::vector<int> m_touched;                  // bins with something to draw; has room for all
+    std::vector<std::atomic<int>> m_unfinished;  // bins of each row, while they are drawn to be handed over
+    std::vector<std::unique_ptr<raster::Batch>> m_batches;  // one a thread
+    std::vector<std::shared_ptr<const void>> m_kept;
+    size_t m_kept_bytes = 0;  // without images
+    size_t m_commands = 0;
+    size_t m_primitives = 0;
+    uint64_t m_frame = 0;  // how many were drawn before
+    DrawnColors m_colors = DrawnColors::kFirst;
+    std::vector<uint64_t*> m_sample_counters;  // of queued occlusion queries
+    mutable std::atomic<uint64_t> m_samples_passed =
+        0;  // of all primitives that count samples, in drawn bins
+};
+
+}  // namespace terrazzo::pipeline

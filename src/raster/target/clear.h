@@ -1,0 +1,16 @@
+// Clears within one bin (GL 1.5 §4.2.3): deferred where the whole bin is cleared, else pixel by pixel through
+// the scissor rectangle and the masks.
+#pragma once
+
+#include "raster/kernel_table.h"
+#include "raster/target/target.h"
+
+namespace terrazzo::raster {
+
+// Whether the clear covers every pixel of the target in the bin at (bin_x, bin_y), with all bits of its
+// planes.
+bool clears_whole_bin(const BinClear& clear, const Target& target, int bin_x, int bin_y);
+
+void clear_bin(const BinClear& clear, Target& target, int bin);
+
+}  // namespace terrazzo::raster
