@@ -2,27 +2,15 @@
 #include "raster/kernel_table.h"
 
 #include "simd/environment.h"
-#include "simd/isa.h"
+#include "simd/isas.h"
 
-#define TERRAZZO_DECLARE_ISA(isa)                      \
+namespace terrazzo {
+#define X(isa, enumerator)                             \
     namespace isa_##isa {                              \
         extern const raster::KernelTable kKernelTable; \
     }
-
-namespace terrazzo {
-TERRAZZO_DECLARE_ISA(scalar)
-#ifdef TERRAZZO_HAVE_SSE4
-TERRAZZO_DECLARE_ISA(sse4)
-#endif
-#ifdef TERRAZZO_HAVE_AVX2
-TERRAZZO_DECLARE_ISA(avx2)
-#endif
-#ifdef TERRAZZO_HAVE_AVX512
-TERRAZZO_DECLARE_ISA(avx512)
-#endif
-#ifdef TERRAZZO_HAVE_NEON
-TERRAZZO_DECLARE_ISA(neon)
-#endif
+TERRAZZO_ISAS(X)
+#undef X
 }  // namespace terrazzo
 
 namespace terrazzo::raster {
@@ -31,19 +19,9 @@ namespace {
 
 // Best first.
 constexpr const KernelTable* kCompiled[] = {
-#ifdef TERRAZZO_HAVE_AVX512
-    &isa_avx512::kKernelTable,
-#endif
-#ifdef TERRAZZO_HAVE_AVX2
-    &isa_avx2::kKernelTable,
-#endif
-#ifdef TERRAZZO_HAVE_SSE4
-    &isa_sse4::kKernelTable,
-#endif
-#ifdef TERRAZZO_HAVE_NEON
-    &isa_neon::kKernelTable,
-#endif
-    &isa_scalar::kKernelTable,
+#define X(isa, enumerator) &isa_##isa::kKernelTable,
+    TERRAZZO_ISAS(X)
+#undef X
 };
 
 const KernelTable& choose() {
