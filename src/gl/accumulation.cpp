@@ -94,7 +94,7 @@ void accumulate(Context& ctx, float value, bool replaces) {
         for (int row = box.y0; row < box.y1; ++row) {
             {
                 const raster::TargetUse use(target, source.plane());
-                pipeline::read_color_rgba8(target, box.x0, row, count / 4, bytes.data());
+                raster::read_color_rgba8(target, box.x0, row, count / 4, bytes.data());
             }
             store(plane->pixel(box.x0, row),
                   [&](int i) { return shares[bytes[static_cast<std::size_t>(i)]]; });
@@ -105,7 +105,7 @@ void accumulate(Context& ctx, float value, bool replaces) {
     for (int row = box.y0; row < box.y1; ++row) {
         {
             const raster::TargetUse use(target, source.plane());
-            pipeline::read_color_float(target, box.x0, row, count / 4, colors.data());
+            raster::read_color_float(target, box.x0, row, count / 4, colors.data());
         }
         store(plane->pixel(box.x0, row),
               [&](int i) { return to_fraction(colors[static_cast<std::size_t>(i)] * scale); });

@@ -87,23 +87,23 @@ class Blit {
         std::vector<uint32_t> from, to;
         copy(
             m_source, from, to, 1,
-            [&](int row) { pipeline::read_depth(m_source, m_across.low, row, width(), from.data()); },
-            [&](int row) { pipeline::write_depth(m_to, m_across.first, row, count(), to.data()); });
+            [&](int row) { raster::read_depth(m_source, m_across.low, row, width(), from.data()); },
+            [&](int row) { raster::write_depth(m_to, m_across.first, row, count(), to.data()); });
     }
     void stencils() const {
         std::vector<uint8_t> from, to;
         copy(
             m_source, from, to, 1,
-            [&](int row) { pipeline::read_stencil(m_source, m_across.low, row, width(), from.data()); },
-            [&](int row) { pipeline::write_stencil(m_to, m_across.first, row, count(), to.data()); });
+            [&](int row) { raster::read_stencil(m_source, m_across.low, row, width(), from.data()); },
+            [&](int row) { raster::write_stencil(m_to, m_across.first, row, count(), to.data()); });
     }
     // All samples as they are, from one multisampled buffer to another.
     void samples(raster::ClearPlanes planes) const {
         raster::Target& from = planes.color ? m_colors : m_source;
         for (int y = m_up.first; y < m_up.last; ++y)
             for (int x = m_across.first; x < m_across.last; ++x)
-                pipeline::copy_samples({from, m_across.nearest(x), from.row(m_up.nearest(y))},
-                                       {m_to, x, m_to.row(y)}, planes);
+                raster::copy_samples({from, m_across.nearest(x), from.row(m_up.nearest(y))},
+                                     {m_to, x, m_to.row(y)}, planes);
     }
 
   private:
@@ -122,12 +122,12 @@ class Blit {
                   last = m_colors.row(m_up.nearest(m_up.last - 1));
         for (int low = std::min(first, last), end = std::max(first, last) + 1, next; low < end; low = next) {
             next = std::min(end, (low / raster::kBinSize + 1) * raster::kBinSize);
-            pipeline::read_rgba8_rect(m_colors, {m_across.nearest(m_across.first), low, count(), next - low},
-                                      rows.data(), stride);
+            raster::read_rgba8_rect(m_colors, {m_across.nearest(m_across.first), low, count(), next - low},
+                                    rows.data(), stride);
             for (int row = low; row < next; ++row) {
                 const int above = std::abs(row - first);
-                pipeline::write_color_rgba8(m_to, m_across.first, m_to.row(m_up.first + above), count(),
-                                            rows.data() + static_cast<size_t>(row - low) * 4 * width);
+                raster::write_color_rgba8(m_to, m_across.first, m_to.row(m_up.first + above), count(),
+                                          rows.data() + static_cast<size_t>(row - low) * 4 * width);
             }
         }
     }
@@ -136,17 +136,16 @@ class Blit {
         std::vector<float> from, to;
         copy(
             m_colors, from, to, 4,
-            [&](int row) { pipeline::read_color_float(m_colors, m_across.low, row, width(), from.data()); },
-            [&](int row) { pipeline::write_color(m_to, m_across.first, row, count(), to.data()); });
+            [&](int row) { raster::read_color_float(m_colors, m_across.low, row, width(), from.data()); },
+            [&](int row) { raster::write_color(m_to, m_across.first, row, count(), to.data()); });
     }
     void linear_colors() const {
         std::vector<float> low(4 * static_cast<size_t>(width())), high(low),
             to(4 * static_cast<size_t>(count()));
         for (int y = m_up.first; y < m_up.last; ++y) {
             const Between rows(m_up, y);
-            pipeline::read_color_float(m_colors, m_across.low, m_colors.row(rows.first), width(), low.data());
-            pipeline::read_color_float(m_colors, m_across.low, m_colors.row(rows.second), width(),
-                                       high.data());
+            raster::read_color_float(m_colors, m_across.low, m_colors.row(rows.first), width(), low.data());
+            raster::read_color_float(m_colors, m_across.low, m_colors.row(rows.second), width(), high.data());
             for (int x = 0; x < count(); ++x) {
                 const Between columns(m_across, m_across.first + x);
                 const auto a = 4 * static_cast<size_t>(columns.first - m_across.low),
@@ -157,7 +156,7 @@ class Blit {
                     to[4 * static_cast<size_t>(x) + c] = below + rows.share * (above - below);
                 }
             }
-            pipeline::write_color(m_to, m_across.first, m_to.row(y), count(), to.data());
+            raster::write_color(m_to, m_across.first, m_to.row(y), count(), to.data());
         }
     }
 

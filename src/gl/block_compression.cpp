@@ -118,7 +118,7 @@ bool is_whole_blocks(GLint at, GLsizei size, GLsizei image_size) {
 }
 
 void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width, int height, int x, int y,
-                   pipeline::TextureImage& image) {
+                   raster::TextureImage& image) {
     Texels texels;
     for (int top = 0; top < height; top += kBlockSize) {
         for (int left = 0; left < width; left += kBlockSize, blocks += format.block_bytes) {
@@ -139,15 +139,14 @@ std::shared_ptr<CompressedBlocks> allocate_blocks(const BlockFormat& format, int
     return blocks;
 }
 
-std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, pipeline::TextureImage& image) {
+std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, raster::TextureImage& image) {
     const auto blocks = allocate_blocks(format, image.width, image.height);
     encode_blocks(image, 0, 0, image.width, image.height, *blocks);
     decode_blocks(format, blocks->bytes.data(), image.width, image.height, 0, 0, image);
     return blocks;
 }
 
-void recompress(pipeline::TextureImage& image, int x, int y, int width, int height,
-                CompressedBlocks& blocks) {
+void recompress(raster::TextureImage& image, int x, int y, int width, int height, CompressedBlocks& blocks) {
     encode_blocks(image, x, y, width, height, blocks);
     const BlockFormat& format = *blocks.format;
     const auto block = static_cast<std::size_t>(format.block_bytes);

@@ -58,18 +58,18 @@ struct CompressedBlocks {
 
 // Decodes blocks into the texels from (x, y) on, multiples of 4; what reaches beyond the image is left out.
 void decode_blocks(const BlockFormat& format, const std::byte* blocks, int width, int height, int x, int y,
-                   pipeline::TextureImage& image);
+                   raster::TextureImage& image);
 
 // The other way: blocks of a part that is_whole_blocks() (block_encoder.cpp).
-void encode_blocks(const pipeline::TextureImage& image, int x, int y, int width, int height,
+void encode_blocks(const raster::TextureImage& image, int x, int y, int width, int height,
                    CompressedBlocks& blocks);
 
 // Room for the blocks of an image, all of them 0. Throws std::bad_alloc.
 std::shared_ptr<CompressedBlocks> allocate_blocks(const BlockFormat& format, int width, int height);
 
 // Makes blocks of an image of bytes, and its texels what they decode to. Throws std::bad_alloc.
-std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, pipeline::TextureImage& image);
+std::shared_ptr<const CompressedBlocks> compress(const BlockFormat& format, raster::TextureImage& image);
 // The same for a part that is_whole_blocks().
-void recompress(pipeline::TextureImage& image, int x, int y, int width, int height, CompressedBlocks& blocks);
+void recompress(raster::TextureImage& image, int x, int y, int width, int height, CompressedBlocks& blocks);
 
 }  // namespace terrazzo::gl

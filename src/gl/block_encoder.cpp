@@ -203,7 +203,7 @@ void encode_alpha_ramp(const BlockTexels& block, std::byte* to) {
 
 }  // namespace
 
-void encode_blocks(const pipeline::TextureImage& image, int x, int y, int width, int height,
+void encode_blocks(const raster::TextureImage& image, int x, int y, int width, int height,
                    CompressedBlocks& blocks) {
     const BlockFormat& format = *blocks.format;
     const auto size = static_cast<std::size_t>(format.block_bytes);

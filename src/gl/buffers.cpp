@@ -180,7 +180,7 @@ void buffer_data(Context& ctx, GLenum target, GLsizeiptr size, const void* data,
     const auto bytes = static_cast<std::size_t>(size);
     const auto lock = lock_buffers(ctx);
     // Programs that stream vertices save the page faults of a new store.
-    if (data && buffer->store && buffer->store->size() == bytes && pipeline::is_sole_owner(buffer->store)) {
+    if (data && buffer->store && buffer->store->size() == bytes && raster::is_sole_owner(buffer->store)) {
         std::memcpy(buffer->store->data(), data, bytes);
     } else {
         buffer->store = std::make_shared<const BufferStore>(bytes, data);

@@ -83,20 +83,20 @@ void Drawable::swap_pixels() {
     m_buffers.target->swap_colors();
 }
 
-void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
+void copy_picture(Drawable& drawable, ColorBuffer buffer, raster::PixelLayout layout, std::byte* bottom_row,
                   std::ptrdiff_t stride) {
     const auto target = buffer == ColorBuffer::kFront ? drawable.target_with_front() : drawable.target();
     if (!target) return;
     std::byte* const top_row = bottom_row + (target->height() - 1) * stride;
     const raster::TargetUse use(*target, drawable.plane_of(buffer));
     for (int bin = 0; bin < target->bin_count(); ++bin)
-        pipeline::resolve_bins(*target, bin, 1, layout, top_row, -stride);
+        raster::resolve_bins(*target, bin, 1, layout, top_row, -stride);
 }
 
-void load_picture(raster::Target& target, raster::ColorPlane plane, pipeline::PixelLayout layout,
+void load_picture(raster::Target& target, raster::ColorPlane plane, raster::PixelLayout layout,
                   const std::byte* top_row, std::ptrdiff_t stride) {
     const raster::TargetUse use(target, plane);
-    const std::ptrdiff_t bytes = pipeline::bytes_per_pixel(layout);
+    const std::ptrdiff_t bytes = raster::bytes_per_pixel(layout);
     for (int i = 0; i < target.bin_count(); ++i) {
         target.materialize(i);
         const raster::Bin bin = target.bin(i);
@@ -107,7 +107,7 @@ void load_picture(raster::Target& target, raster::ColorPlane plane, pipeline::Pi
             for (int x = 0; x < width; ++x, in += bytes) {
                 std::byte pixel[16];
                 std::memcpy(pixel, in, static_cast<std::size_t>(bytes));
-                if (layout == pipeline::PixelLayout::kBgra8) std::swap(pixel[0], pixel[2]);
+                if (layout == raster::PixelLayout::kBgra8) std::swap(pixel[0], pixel[2]);
                 for (int sample = 0; sample < target.format().samples; ++sample) {
                     const raster::Bin planes = raster::planes_of_sample(bin, sample, target.format().color);
                     std::memcpy(planes.color + raster::pixel_index(x, y) * bytes, pixel,

@@ -111,10 +111,10 @@ class Drawable {
 // Copies a colour buffer out as it is, without what contexts have queued for it, and in; `bottom_row` and
 // `top_row` are where the lowest and the highest row lie. Throws std::bad_alloc only if a front buffer's
 // pixels are asked for that are not there yet.
-void copy_picture(Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout, std::byte* bottom_row,
+void copy_picture(Drawable& drawable, ColorBuffer buffer, raster::PixelLayout layout, std::byte* bottom_row,
                   std::ptrdiff_t stride);
 // Layouts kRgba8, kBgra8 and kRgb565.
-void load_picture(raster::Target& target, raster::ColorPlane plane, pipeline::PixelLayout layout,
+void load_picture(raster::Target& target, raster::ColorPlane plane, raster::PixelLayout layout,
                   const std::byte* top_row, std::ptrdiff_t stride);
 
 }  // namespace terrazzo::gl

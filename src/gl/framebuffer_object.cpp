@@ -39,7 +39,7 @@ raster::TargetFormat plane_format(const TexelFormat& texel, AttachmentPoint poin
     raster::TargetFormat format = no_planes(texel.base == GL_RGBA);
     if (point == kDepthAttachment) format.depth_bits = texel.bits[0] == 16 ? 16 : 24;
     if (point == kStencilAttachment) format.stencil_bits = 8;
-    if (texel.storage == pipeline::TexelStorage::kRgba32F) format.color = raster::ColorFormat::kRgba16;
+    if (texel.storage == raster::TexelStorage::kRgba32F) format.color = raster::ColorFormat::kRgba16;
     return format;
 }
 
@@ -89,7 +89,7 @@ struct TexelPosition {
     int x, y, z;
 };
 template <typename Row>
-void for_each_run(const Target& target, const Attachment& a, const pipeline::TextureImage& image, Row row) {
+void for_each_run(const Target& target, const Attachment& a, const raster::TextureImage& image, Row row) {
     for (int y = 0; y < target.height(); ++y)
         for (int x = 0; x < target.width(); x += kPixelChunk)
             row(x, y, std::min(kPixelChunk, target.width() - x),
@@ -99,46 +99,46 @@ void for_each_run(const Target& target, const Attachment& a, const pipeline::Tex
 void load(const Attachment& a, AttachmentPoint point, Target& planes) {
     const TextureLevel& level = level_of(a);
     const TexelFormat& format = *level.format;
-    const pipeline::TextureImage& image = *level.image;
+    const raster::TextureImage& image = *level.image;
     for_each_run(planes, a, image, [&](int x, int y, int count, const TexelPosition& at) {
         if (point == kStencilAttachment) {
             uint8_t stencils[kPixelChunk] = {};
             if (const uint8_t* const known = image.stencils(at.x, at.y)) std::copy_n(known, count, stencils);
-            return pipeline::write_stencil(planes, x, y, count, stencils);
+            return raster::write_stencil(planes, x, y, count, stencils);
         }
         if (point == kDepthAttachment) {
             uint32_t depths[kPixelChunk];
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
             for (int i = 0; i < count; ++i)
                 depths[i] = resize_depth(image.depths(at.x, at.y)[i], format.bits[0], bits);
-            return pipeline::write_depth(planes, x, y, count, depths);
+            return raster::write_depth(planes, x, y, count, depths);
         }
-        if (format.storage == pipeline::TexelStorage::kRgba8)
-            return pipeline::write_color_rgba8(planes, x, y, count, image.rgba8(at.x, at.y, at.z));
-        pipeline::write_color(planes, x, y, count, image.rgba32f(at.x, at.y, at.z));
+        if (format.storage == raster::TexelStorage::kRgba8)
+            return raster::write_color_rgba8(planes, x, y, count, image.rgba8(at.x, at.y, at.z));
+        raster::write_color(planes, x, y, count, image.rgba32f(at.x, at.y, at.z));
     });
 }
 
-void store(const Attachment& a, AttachmentPoint point, Target& planes, pipeline::TextureImage& image) {
+void store(const Attachment& a, AttachmentPoint point, Target& planes, raster::TextureImage& image) {
     const TexelFormat& format = *level_of(a).format;
     for_each_run(planes, a, image, [&](int x, int y, int count, const TexelPosition& at) {
         if (point == kStencilAttachment) {
-            pipeline::read_stencil(planes, x, y, count, image.stencils(at.x, at.y));
+            raster::read_stencil(planes, x, y, count, image.stencils(at.x, at.y));
         } else if (point == kDepthAttachment) {
             uint32_t drawn[kPixelChunk], *const depths = image.depths(at.x, at.y);
-            pipeline::read_depth(planes, x, y, count, drawn);
+            raster::read_depth(planes, x, y, count, drawn);
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
             // What nothing was drawn to keeps the bits that the planes do not have.
             for (int i = 0; i < count; ++i)
                 if (resize_depth(depths[i], format.bits[0], bits) != drawn[i])
                     depths[i] = resize_depth(drawn[i], bits, format.bits[0]);
-        } else if (format.storage == pipeline::TexelStorage::kRgba8) {
+        } else if (format.storage == raster::TexelStorage::kRgba8) {
             uint8_t rgba[4 * kPixelChunk];
-            pipeline::read_color_rgba8(planes, x, y, count, rgba);
+            raster::read_color_rgba8(planes, x, y, count, rgba);
             store_texels(format, rgba, Rounding::kAsDrawn, count, image, at.x, at.y, at.z);
         } else {
             float rgba[4 * kPixelChunk];
-            pipeline::read_color_float(planes, x, y, count, rgba);
+            raster::read_color_float(planes, x, y, count, rgba);
             store_texels(format, rgba, Rounding::kOnce, count, image, at.x, at.y, at.z);
         }
     });
@@ -212,7 +212,7 @@ void store_textures(Context& ctx, Framebuffer& framebuffer) {
                     a.content = level_of(a).image->content();
         }
     } const contents{framebuffer, stored};
-    std::array<pipeline::TextureImage*, kAttachmentCount> images{};
+    std::array<raster::TextureImage*, kAttachmentCount> images{};
     for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment}) {
         if (!stored[point]) continue;
         Attachment& a = framebuffer.attachments[point];

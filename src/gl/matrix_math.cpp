@@ -84,8 +84,8 @@ Matrix4 multiply_affine(const Matrix4& a, const Matrix4& b) {
 std::optional<Matrix4> rotation(float degrees, float x, float y, float z) {
     if (degrees == 0.0f) return std::nullopt;
     const float radians = static_cast<float>(degrees * std::numbers::pi / 180.0);
-    const float s = pipeline::sine(radians);
-    const float c = pipeline::cosine(radians);
+    const float s = simd::sine(radians);
+    const float c = simd::cosine(radians);
 
     if (x == 0.0f && y == 0.0f && z != 0.0f) return axis_rotation(0, 1, z, s, c);
     if (x == 0.0f && z == 0.0f && y != 0.0f) return axis_rotation(2, 0, y, s, c);

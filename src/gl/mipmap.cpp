@@ -22,7 +22,7 @@
 namespace terrazzo::gl {
 namespace {
 
-using pipeline::TextureImage;
+using raster::TextureImage;
 
 // The two old texels that a new one lies between, along one axis.
 struct Between {
@@ -271,7 +271,7 @@ void DerivedLevels::store() noexcept {
         Derived& derived = m_derived[i];
         derived.reducer.reduce();
         if (derived.blocks) {
-            pipeline::TextureImage& image = *derived.level.image;
+            raster::TextureImage& image = *derived.level.image;
             recompress(image, 0, 0, image.width, image.height, *derived.blocks);
             derived.level.blocks = std::move(derived.blocks);
         }

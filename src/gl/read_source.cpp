@@ -44,18 +44,18 @@ ReadRect ReadSource::clip(GLint x, GLint y, GLsizei width, GLsizei height) const
 }
 
 bool ReadSource::has_bytes(const PixelState& pixels) const {
-    return pipeline::fits_rgba8(m_target->format().color) && !changes_colors(pixels);
+    return raster::fits_rgba8(m_target->format().color) && !changes_colors(pixels);
 }
 
 void ReadSource::read(int x, int y, int count, uint8_t* rgba) const {
     const raster::TargetUse use(*m_target, m_plane);
-    pipeline::read_color_rgba8(*m_target, x, m_target->row(y), count, rgba);
+    raster::read_color_rgba8(*m_target, x, m_target->row(y), count, rgba);
 }
 
 void ReadSource::read(int x, int y, int count, const PixelState& pixels, float* rgba) const {
     {
         const raster::TargetUse use(*m_target, m_plane);
-        pipeline::read_color_float(*m_target, x, m_target->row(y), count, rgba);
+        raster::read_color_float(*m_target, x, m_target->row(y), count, rgba);
     }
     if (!changes_colors(pixels)) return;
     transfer_colors(pixels, rgba, count);
@@ -66,20 +66,20 @@ void ReadSource::read(int x, int y, int count, const PixelState& pixels, float* 
 void ReadSource::read_verbatim(const ReadRect& rect, uint8_t* rgba, std::ptrdiff_t stride) const {
     const raster::TargetUse use(*m_target, m_plane);
     if (format().rows == raster::RowOrder::kBottomFirst)
-        return pipeline::read_rgba8_rect(*m_target, {rect.x, rect.y, rect.width, rect.height}, rgba, stride);
+        return raster::read_rgba8_rect(*m_target, {rect.x, rect.y, rect.width, rect.height}, rgba, stride);
     const int top = m_target->row(rect.y + rect.height - 1);
-    pipeline::read_rgba8_rect(*m_target, {rect.x, top, rect.width, rect.height},
-                              rgba + (rect.height - 1) * stride, -stride);
+    raster::read_rgba8_rect(*m_target, {rect.x, top, rect.width, rect.height},
+                            rgba + (rect.height - 1) * stride, -stride);
 }
 
 void ReadSource::read_depths(int x, int y, int count, uint32_t* depths) const {
     const raster::TargetUse use(*m_target, m_plane);
-    pipeline::read_depth(*m_target, x, m_target->row(y), count, depths);
+    raster::read_depth(*m_target, x, m_target->row(y), count, depths);
 }
 
 void ReadSource::read_stencils(int x, int y, int count, uint8_t* stencils) const {
     const raster::TargetUse use(*m_target, m_plane);
-    pipeline::read_stencil(*m_target, x, m_target->row(y), count, stencils);
+    raster::read_stencil(*m_target, x, m_target->row(y), count, stencils);
 }
 
 }  // namespace terrazzo::gl

@@ -110,7 +110,7 @@ void picture_was_shown(Context& ctx, const Drawable& window) {
     (ctx.framebuffers.draw ? ctx.framebuffers.window_drawn : ctx.surface.drawn) = false;
 }
 
-void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout,
+void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, raster::PixelLayout layout,
                   std::byte* bottom_row, std::ptrdiff_t stride) {
     if (ctx.surface.draw.get() == &drawable) flush_vertices(ctx);
     const auto target = drawable.target();

@@ -58,7 +58,7 @@ void present(Context& ctx);
 // Draws what the context has queued for the drawable, whatever is bound by now, and copies a colour buffer
 // (or the depth) out; `bottom_row` is where the lowest row goes. Throws std::bad_alloc only if a front
 // buffer's pixels are asked for that are not there yet.
-void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, pipeline::PixelLayout layout,
+void copy_picture(Context& ctx, Drawable& drawable, ColorBuffer buffer, raster::PixelLayout layout,
                   std::byte* bottom_row, std::ptrdiff_t stride);
 
 // The same for the calls of window systems, which mean the window whatever is bound: while a frame buffer

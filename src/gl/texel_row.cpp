@@ -14,9 +14,9 @@
 namespace terrazzo::gl {
 namespace {
 
-using pipeline::BaseFormat;
-using pipeline::TexelStorage;
-using pipeline::TextureImage;
+using raster::BaseFormat;
+using raster::TexelStorage;
+using raster::TextureImage;
 
 // For every size, the 8-bit value that stands for an 8-bit component after it was kept with that many bits.
 using QuantizeTable = std::array<uint8_t, 256>;

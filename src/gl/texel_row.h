@@ -32,16 +32,16 @@ enum class Rounding {
 
 // Writes `count` texels from (x, y, z) on, coordinates as in TextureImage. `count` is at most kPixelChunk.
 void store_texels(const TexelFormat& format, const uint8_t* rgba, Rounding rounding, int count,
-                  pipeline::TextureImage& image, int x, int y, int z);
+                  raster::TextureImage& image, int x, int y, int z);
 void store_texels(const TexelFormat& format, const float* rgba, Rounding rounding, int count,
-                  pipeline::TextureImage& image, int x, int y, int z);
+                  raster::TextureImage& image, int x, int y, int z);
 
 // The 8-bit form needs 8-bit storage; sizes below 8 bits are widened by repeating bits. The float form is
 // exact.
-void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int z,
-                 int count, uint8_t* rgba);
-void load_texels(const TexelFormat& format, const pipeline::TextureImage& image, int x, int y, int z,
-                 int count, float* rgba);
+void load_texels(const TexelFormat& format, const raster::TextureImage& image, int x, int y, int z, int count,
+                 uint8_t* rgba);
+void load_texels(const TexelFormat& format, const raster::TextureImage& image, int x, int y, int z, int count,
+                 float* rgba);
 
 // Depths of a client's row, through pixel transfer, as integers of `bits` bits.
 void store_depths(const PixelState& state, GLenum type, int bits, const uint8_t* source, int count,

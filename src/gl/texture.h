@@ -56,7 +56,7 @@ struct TextureLevel {
     GLint border = 0;
     GLint internal_format = 1;            // as the program named it
     const TexelFormat* format = nullptr;  // how texels are kept; null while nothing is specified
-    pipeline::LevelImage image;           // null for an empty image and in proxies
+    raster::LevelImage image;             // null for an empty image and in proxies
     std::shared_ptr<const CompressedBlocks>
         blocks;  // what the texels were decoded from; null where from none
 };

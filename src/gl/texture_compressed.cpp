@@ -128,7 +128,7 @@ void compressed_tex_sub_image_2d(Context& ctx, GLenum target_name, GLint level_n
     const std::byte* const bytes = memory.data;
     auto blocks = std::make_shared<CompressedBlocks>(*level.blocks);
     copy_blocks(bytes, box, level.width, *blocks);
-    pipeline::TextureImage& image = writable_image(ctx, level);
+    raster::TextureImage& image = writable_image(ctx, level);
     DerivedLevels derived(target, level_number, level);
     decode_blocks(*format, bytes, width, height, xoffset, yoffset, image);
     level.blocks = std::move(blocks);

@@ -21,7 +21,7 @@ namespace {
 
 // Copies the depths from window position (x, y) on, in the image's number of bits.
 void copy_depths(const PixelState& state, const ReadSource& source, const ReadRect& read, GLint left,
-                 GLint bottom, const TexelFormat& format, pipeline::TextureImage& image) {
+                 GLint bottom, const TexelFormat& format, raster::TextureImage& image) {
     const unsigned from = source.format().depth_bits, to = format.bits[0];
     const double scale = 1.0 / static_cast<double>((uint64_t{1} << from) - 1);
     for (int i = 0; i < read.height; ++i) {
@@ -43,7 +43,7 @@ void copy_depths(const PixelState& state, const ReadSource& source, const ReadRe
 
 // The same of stencil values, for an image that keeps them.
 void copy_stencils(const PixelState& state, const ReadSource& source, const ReadRect& read, GLint left,
-                   GLint bottom, pipeline::TextureImage& image) {
+                   GLint bottom, raster::TextureImage& image) {
     for (int i = 0; i < read.height; ++i) {
         for (int j = 0; j < read.width; j += kPixelChunk) {
             const int count = std::min(kPixelChunk, read.width - j);
@@ -60,7 +60,7 @@ void copy_stencils(const PixelState& state, const ReadSource& source, const Read
 
 // Copies the pixels from window position (x, y) on into `box` of the image, whose depth is 1.
 void copy_pixels(const PixelState& state, const ReadSource& source, GLint x, GLint y, const LevelBox& box,
-                 const TexelFormat& format, pipeline::TextureImage& image) {
+                 const TexelFormat& format, raster::TextureImage& image) {
     const ReadRect read = source.clip(x, y, box.width, box.height);
     const GLint left = box.x + read.skipped_columns, bottom = box.y + read.skipped_rows;
     if (format.base == GL_DEPTH_COMPONENT) {
@@ -167,7 +167,7 @@ void copy_tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, co
         return record_error(ctx, rule.code, rule.words);
     if (!level.image || box.is_empty()) return;
     const auto blocks = level.blocks ? std::make_shared<CompressedBlocks>(*level.blocks) : nullptr;
-    pipeline::TextureImage& image = writable_image(ctx, level);
+    raster::TextureImage& image = writable_image(ctx, level);
     if (has_stencil(internal_format)) image.make_stencils();
     DerivedLevels derived(target, level_number, level);
     copy_pixels(ctx.pixels, source, x, y, box, *level.format, image);

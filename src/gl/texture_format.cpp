@@ -4,8 +4,8 @@
 namespace terrazzo::gl {
 namespace {
 
-using pipeline::BaseFormat;
-using pipeline::TexelStorage;
+using raster::BaseFormat;
+using raster::TexelStorage;
 
 constexpr TexelFormat rgba8_format(GLenum base, BaseFormat base_format, unsigned char red,
                                    unsigned char green, unsigned char blue, unsigned char alpha) {

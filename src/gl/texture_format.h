@@ -17,8 +17,8 @@ namespace terrazzo::gl {
 struct TexelFormat {
     // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA or GL_DEPTH_COMPONENT
     GLenum base;
-    pipeline::BaseFormat base_format;
-    pipeline::TexelStorage storage;
+    raster::BaseFormat base_format;
+    raster::TexelStorage storage;
     // Bits kept of each component: R, G, B, A. Luminance and intensity are counted in R (and in G and B
     // alike), depth in R.
     std::array<unsigned char, 4> bits;
@@ -32,7 +32,7 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum client_form
 
 // An RGBA colour as a texture of a base format would hold it and sampling sees it (GL 1.5 §3.8.8,
 // table 3.15); the depth of a depth texture is R.
-std::array<GLfloat, 4> as_texel(pipeline::BaseFormat base, const std::array<GLfloat, 4>& rgba);
+std::array<GLfloat, 4> as_texel(raster::BaseFormat base, const std::array<GLfloat, 4>& rgba);
 
 // Whether textures of an internal format have stencil values beside their depths (EXT_packed_depth_stencil).
 constexpr bool has_stencil(GLint internal_format) {

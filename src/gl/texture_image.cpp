@@ -129,7 +129,7 @@ void tex_sub_image(Context& ctx, GLenum target_name, GLint level_number, const L
         return record_error(ctx, rule.code, rule.words);
     if (!memory.data || !level.image || box.is_empty()) return;
     const auto blocks = level.blocks ? std::make_shared<CompressedBlocks>(*level.blocks) : nullptr;
-    pipeline::TextureImage& image = writable_image(ctx, level);
+    raster::TextureImage& image = writable_image(ctx, level);
     if (client.format == GL_DEPTH_STENCIL && has_stencil(level.internal_format)) image.make_stencils();
     DerivedLevels derived(target, level_number, level);
     upload(ctx.pixels, {client.format, client.type, memory.data}, *level.format, box, dimensions, image);

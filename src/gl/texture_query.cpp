@@ -86,7 +86,7 @@ bool keeps_all_bits(const TexelFormat& format) {
 // Whether texels go to the client by way of bytes. Bytes carry everything then; where both ways would do, the
 // choice is the reference's, which shows in the rounding.
 bool goes_through_bytes(const TexelFormat& texel, GLenum format, GLenum type) {
-    if (texel.storage != pipeline::TexelStorage::kRgba8) return false;
+    if (texel.storage != raster::TexelStorage::kRgba8) return false;
     if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA) return false;
     if (has_8_bit_components(type)) return true;
     return keeps_all_bits(texel) && (!find_packed_type(type) || texel.base == GL_RGBA);
@@ -110,7 +110,7 @@ void pack_depth_texels(const PixelState& state, const TextureLevel& level, int x
     pack_depths(type, state.pack.swap_bytes, depths, count, destination);
 }
 
-void pack_depth_stencil_texels(const PixelState& state, const pipeline::TextureImage& image, int x, int y,
+void pack_depth_stencil_texels(const PixelState& state, const raster::TextureImage& image, int x, int y,
                                int count, uint8_t* destination) {
     uint32_t depths[kPixelChunk], stencils[kPixelChunk] = {};
     std::copy_n(image.depths(x, y), count, depths);
@@ -186,7 +186,7 @@ void get_tex_image(Context& ctx, GLenum target_name, GLint level_number, GLenum 
             image_end(pack, {level.width, level.height, level.depth, target.dimensions}, format, type));
     if (!memory.is_usable()) return record_error(ctx, memory.rule.code, memory.rule.words);
     if (!memory.data) return;
-    const pipeline::TextureImage& image = *level.image;
+    const raster::TextureImage& image = *level.image;
     const ImageLayout layout = image_layout(pack, level.width, level.height, target.dimensions, format, type);
     const size_t pixel_size = bytes_per_pixel(format, type);
     auto* first = reinterpret_cast<uint8_t*>(memory.data) + layout.offset;

@@ -30,7 +30,7 @@ bool is_supported_extent(GLsizei size, GLint border, GLint level, GLsizei larges
 bool goes_through_bytes(const PixelState& state, const ClientImage& client, const TexelFormat& format) {
     if (!is_color_format(client.format) || !has_8_bit_components(client.type) || changes_colors(state))
         return false;
-    if (format.storage == pipeline::TexelStorage::kRgba8) return true;
+    if (format.storage == raster::TexelStorage::kRgba8) return true;
     return client.format == GL_RGBA &&
            (client.type == GL_UNSIGNED_BYTE || client.type == GL_UNSIGNED_INT_8_8_8_8_REV);
 }
@@ -39,7 +39,7 @@ bool goes_through_bytes(const PixelState& state, const ClientImage& client, cons
 class RowUploader {
   public:
     RowUploader(const PixelState& state, const ClientImage& client, const TexelFormat& format,
-                pipeline::TextureImage& image)
+                raster::TextureImage& image)
         : m_state(state),
           m_client(client),
           m_format(format),
@@ -103,7 +103,7 @@ class RowUploader {
     const PixelState& m_state;
     const ClientImage& m_client;
     const TexelFormat& m_format;
-    pipeline::TextureImage& m_image;
+    raster::TextureImage& m_image;
     bool m_bytes;
     bool m_direct;  // bytes are texels
     bool m_exact;   // floats need no rounding
@@ -139,7 +139,7 @@ bool is_supported_memory(const LevelSpec& spec, const TexelFormat& format) {
     const auto texels = static_cast<size_t>(spec.width - 2 * spec.border) *
                         static_cast<size_t>(spec.height - 2 * spec.border_y()) *
                         static_cast<size_t>(spec.depth - 2 * spec.border_z());
-    return texels <= kMaxImageBytes / pipeline::bytes_per_texel(format.storage);
+    return texels <= kMaxImageBytes / raster::bytes_per_texel(format.storage);
 }
 
 Rule check_texture_pixels(GLenum format, GLenum type) {
@@ -179,26 +179,25 @@ void compress_level(TextureLevel& level) {
 TextureLevel make_level(const LevelSpec& spec, const TexelFormat& format) {
     TextureLevel level{spec.width,           spec.height, spec.depth, spec.border,
                        spec.internal_format, &format,     nullptr,    nullptr};
-    const pipeline::TextureImage::Size size{spec.width - 2 * spec.border,
-                                            spec.height - 2 * spec.border_y(),
-                                            spec.depth - 2 * spec.border_z(),
-                                            spec.border,
-                                            spec.border_y(),
-                                            spec.border_z()};
+    const raster::TextureImage::Size size{spec.width - 2 * spec.border,
+                                          spec.height - 2 * spec.border_y(),
+                                          spec.depth - 2 * spec.border_z(),
+                                          spec.border,
+                                          spec.border_y(),
+                                          spec.border_z()};
     if (size.width == 0 || size.height == 0 || size.depth == 0) return level;
-    level.image = pipeline::TextureImage::create(size, format.storage, format.base_format);
+    level.image = raster::TextureImage::create(size, format.storage, format.base_format);
     if (!level.image) throw std::bad_alloc();
     return level;
 }
 
-void clear_texels(pipeline::TextureImage& image) {
-    if (image.base_format != pipeline::BaseFormat::kLuminance &&
-        image.base_format != pipeline::BaseFormat::kRgb)
+void clear_texels(raster::TextureImage& image) {
+    if (image.base_format != raster::BaseFormat::kLuminance && image.base_format != raster::BaseFormat::kRgb)
         return;
     for (int z = -image.border_z; z < image.depth + image.border_z; ++z) {
         for (int y = -image.border_y; y < image.height + image.border_y; ++y) {
             for (int x = -image.border_x; x < image.width + image.border_x; ++x) {
-                if (image.storage == pipeline::TexelStorage::kRgba8)
+                if (image.storage == raster::TexelStorage::kRgba8)
                     image.rgba8(x, y, z)[3] = 255;
                 else
                     image.rgba32f(x, y, z)[3] = 1;
@@ -216,16 +215,16 @@ bool contains(const TextureLevel& level, const LevelBox& box) {
            int64_t{box.z} + box.depth <= level.depth - border_z;
 }
 
-pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
+raster::TextureImage& writable_image(Context& ctx, TextureLevel& level) {
     // What the last draw derived is stale and would count as a reference to the image.
     ctx.drawing.state.fragment.reset();
-    pipeline::TextureImage* image = level.image.writable();
+    raster::TextureImage* image = level.image.writable();
     if (!image) throw std::bad_alloc();
     return *image;
 }
 
 void upload(const PixelState& state, const ClientImage& client, const TexelFormat& format,
-            const LevelBox& box, int dimensions, pipeline::TextureImage& image) {
+            const LevelBox& box, int dimensions, raster::TextureImage& image) {
     const ImageLayout layout =
         image_layout(state.unpack, box.width, box.height, dimensions, client.format, client.type);
     const size_t pixel_size = bytes_per_pixel(client.format, client.type);

@@ -53,9 +53,9 @@ Rule check_pixels_fit(GLenum client_format, const TexelFormat& format);
 Rule check_compression(const LevelSpec& spec);
 // ... and which parts of a compressed level TexSubImage and CopyTexSubImage may replace: whole blocks.
 Rule check_blocks(const TextureLevel& level, const LevelBox& box);
-// Makes the texels of a new image, which are zero, what an upload of zeros would: opaque where the format has no
-// alpha. For images that are not written as a whole.
-void clear_texels(pipeline::TextureImage& image);
+// Makes the texels of a new image, which are zero, what an upload of zeros would: opaque where the format has
+// no alpha. For images that are not written as a whole.
+void clear_texels(raster::TextureImage& image);
 // Compresses a new level's texels where its internal format says so. Throws std::bad_alloc.
 void compress_level(TextureLevel& level);
 
@@ -68,7 +68,7 @@ bool contains(const TextureLevel& level, const LevelBox& box);
 // The level's image, to be written to; a copy takes its place if queued draws refer to it. `level` has one,
 // and `begin_change` was called. Whoever writes also resets the level's blocks. Throws std::bad_alloc and
 // changes nothing then.
-pipeline::TextureImage& writable_image(Context& ctx, TextureLevel& level);
+raster::TextureImage& writable_image(Context& ctx, TextureLevel& level);
 
 // Pixels in client memory.
 struct ClientImage {
@@ -78,6 +78,6 @@ struct ClientImage {
 
 // Converts a client image through the unpack and pixel transfer state into texels.
 void upload(const PixelState& state, const ClientImage& client, const TexelFormat& format,
-            const LevelBox& box, int dimensions, pipeline::TextureImage& image);
+            const LevelBox& box, int dimensions, raster::TextureImage& image);
 
 }  // namespace terrazzo::gl

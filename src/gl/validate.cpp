@@ -253,9 +253,9 @@ raster::TextureStage make_stage(int unit_number, const TextureUnit& unit_state, 
         stage.sampler.faces = faces->data();
         block.cubes.push_back(std::move(faces));
     }
-    const pipeline::TextureImage& base = *object.levels[static_cast<std::size_t>(levels.base)].image;
+    const raster::TextureImage& base = *object.levels[static_cast<std::size_t>(levels.base)].image;
     stage.base_format =
-        base.storage == pipeline::TexelStorage::kDepth ? stage.sampler.depth_mode : base.base_format;
+        base.storage == raster::TexelStorage::kDepth ? stage.sampler.depth_mode : base.base_format;
     return stage;
 }
 

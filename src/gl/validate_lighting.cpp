@@ -85,7 +85,7 @@ pipeline::Light make_light(const Light& light, const StackMatrix& modelview, boo
     normalize(out.direction);  // the reference does it twice
     out.spot_exponent = light.spot_exponent;
     const float radians = static_cast<float>(static_cast<double>(light.spot_cutoff) * M_PI / 180.0);
-    out.spot_cos_cutoff = std::max(0.0f, pipeline::cosine(radians));
+    out.spot_cos_cutoff = std::max(0.0f, simd::cosine(radians));
     out.attenuated = out.positional && is_attenuated(light);
     out.attenuation[0] = light.constant_attenuation;
     out.attenuation[1] = light.linear_attenuation;

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "raster/target/formats.h"
+
 namespace terrazzo::raster {
 
 inline constexpr int kMaxTextureUnits = 8;
@@ -104,19 +106,9 @@ struct CombineHalf {
     float scale = 1;
 };
 
-// Which channels a texture's base internal format has (GL 1.5 table 3.15).
-enum class BaseFormat : uint8_t { kAlpha, kLuminance, kLuminanceAlpha, kIntensity, kRgb, kRgba, kDepth };
-
 enum class Wrap : uint8_t { kRepeat, kClamp, kClampToEdge, kClampToBorder, kMirroredRepeat };
 enum class Filter : uint8_t { kNearest, kLinear };
 enum class MipFilter : uint8_t { kNone, kNearest, kLinear };
-
-// How texels lie in memory: four bytes R, G, B, A for every internal format of at most 8 bits a component, or
-// four floats; depths are unsigned integers of 16, 24 or 32 bits, four bytes each.
-enum class TexelStorage : uint8_t { kRgba8, kRgba32F, kDepth };
-
-// How colour lies in a tile: see Target.
-enum class ColorFormat : uint8_t { kRgba8, kRgb565, kRgba16, kRgba32F };
 
 struct MipLevel {
     const void* texels = nullptr;  // rows from low t to high; readable 64 bytes before and past

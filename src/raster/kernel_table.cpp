@@ -42,6 +42,10 @@ const KernelTable& kernels() {
     return table;
 }
 
+const PlaneKernels& plane_kernels() {
+    return kernels().planes;
+}
+
 std::span<const KernelTable* const> compiled_kernels() {
     static const struct Runnable {
         const KernelTable* tables[std::size(kCompiled)];

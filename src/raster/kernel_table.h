@@ -6,19 +6,11 @@
 #include <span>
 
 #include "raster/primitive.h"
+#include "raster/target/plane_kernels.h"
 #include "raster/target/target.h"
 #include "simd/isa.h"
 
 namespace terrazzo::raster {
-
-// A clear in a bin's list: of the whole bin where the rectangle and masks are full, else pixel by pixel.
-struct BinClear {
-    ClearPlanes planes;
-    ClearValues values;
-    int16_t x0, y0, x1, y1;
-    uint8_t color_mask;  // bit 0 red ... bit 3 alpha
-    uint8_t stencil_mask;
-};
 
 struct KernelTable {
     simd::Isa isa;
@@ -32,10 +24,7 @@ struct KernelTable {
     void (*draw_multisampled)(const Primitive&, Bin&, Batch&);
     // Draws what is left in the batch.
     void (*flush)(Bin&, Batch&);
-    // The mean of each pixel's samples: tiles of a bin's planes to one of a single sample.
-    void (*resolve_rgba8)(const uint32_t* samples, const uint8_t* alike, int tile_count, uint32_t* to);
-    // Stores `value` in `count` words, a multiple of 16, from a 64-byte boundary on.
-    void (*fill)(uint32_t* to, uint32_t value, size_t count);
+    PlaneKernels planes;
 };
 
 // The table in use: the best for this processor, or what TERRAZZO_ISA asks for where it can be had. Chosen

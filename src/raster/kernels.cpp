@@ -254,6 +254,6 @@ void resolve_rgba8(const uint32_t* samples, const uint8_t* alike, int tile_count
 
 extern const KernelTable kKernelTable;
 const KernelTable kKernelTable = {
-    simd::Isa::TERRAZZO_ISA_ENUM, choose, draw_primitive, draw_multisampled, flush, resolve_rgba8, fill};
+    simd::Isa::TERRAZZO_ISA_ENUM, choose, draw_primitive, draw_multisampled, flush, {resolve_rgba8, fill}};
 
 }  // namespace terrazzo::TERRAZZO_ISA_NAMESPACE

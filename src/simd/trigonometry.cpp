@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace terrazzo::pipeline {
+namespace terrazzo::simd {
 
 namespace {
 
@@ -141,4 +141,4 @@ float arc_tangent(float y, float x) {
     return below ? -angle : angle;
 }
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::simd

@@ -3,11 +3,11 @@
 // §1, §3).
 #pragma once
 
-namespace terrazzo::pipeline {
+namespace terrazzo::simd {
 
 float sine(float radians);
 float cosine(float radians);
 // The angle of the vector (x, y), in [-pi, pi]; both finite.
 float arc_tangent(float y, float x);
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::simd

@@ -2,8 +2,9 @@
 import pathlib
 import re
 
-# Dependencies point from a room to itself or to one further down this list.
-ROOMS = ("frontends", "gl", "pipeline", "raster", "simd")
+# Dependencies point from a room to itself or to one further down this list. A room without inner ones in the list is all
+# that stands under its name; rooms between the two belong to the outer one.
+ROOMS = ("frontends", "gl", "pipeline/geometry", "pipeline/schedule", "raster", "raster/target", "simd")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -12,9 +13,10 @@ def source_files(root):
 
 
 def room_of(root, path):
-    """The room of a file under src, or None for what stands in src itself."""
-    parts = path.relative_to(pathlib.Path(root) / "src").parts
-    return parts[0] if parts[0] in ROOMS else None
+    """The innermost room of a file under src, or None for what stands in src itself."""
+    folder = path.relative_to(pathlib.Path(root) / "src").parent
+    names = [str(folder)] + [str(outer) for outer in folder.parents]
+    return next((name for name in names if name in ROOMS), None)
 
 
 def without_comments(text):

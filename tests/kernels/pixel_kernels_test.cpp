@@ -557,8 +557,8 @@ TEST_P(AgainstScalar, ResolveAsScalarDoes) {
     SampledBin bin(Random(11), state);
     alignas(64) std::uint32_t expected[kBinPixels], found[kBinPixels];
     const auto* const samples = reinterpret_cast<const std::uint32_t*>(bin.color.data());
-    compiled_kernels().back()->resolve_rgba8(samples, bin.alike[0], kBinTiles, expected);
-    GetParam()->resolve_rgba8(samples, bin.alike[0], kBinTiles, found);
+    compiled_kernels().back()->planes.resolve_rgba8(samples, bin.alike[0], kBinTiles, expected);
+    GetParam()->planes.resolve_rgba8(samples, bin.alike[0], kBinTiles, found);
     EXPECT_EQ(std::memcmp(expected, found, sizeof found), 0);
     for (int i = 0; i < kBinPixels; ++i) {
         if (bin.alike[0][i / kTilePixels]) {
@@ -578,7 +578,7 @@ TEST_P(PixelKernels, FillWhatTheyAreTold) {
     for (std::size_t count = 16; count <= 4096; count *= 4) {
         GuardedPlane plane(random, count * 4);
         auto* const words = reinterpret_cast<std::uint32_t*>(plane.data());
-        GetParam()->fill(words, 0x89abcdef, count);
+        GetParam()->planes.fill(words, 0x89abcdef, count);
         EXPECT_EQ(std::count(words, words + count, 0x89abcdefu), static_cast<std::ptrdiff_t>(count));
         EXPECT_TRUE(plane.guards_hold());
     }

@@ -56,7 +56,7 @@ class Window : public Drawable {
     void load_front() override {
         const std::vector<std::uint32_t> shown(static_cast<std::size_t>(width()) *
                                                static_cast<std::size_t>(height()));
-        load_picture(*target(), plane_of(ColorBuffer::kFront), pipeline::PixelLayout::kRgba8,
+        load_picture(*target(), plane_of(ColorBuffer::kFront), raster::PixelLayout::kRgba8,
                      reinterpret_cast<const std::byte*>(shown.data()), 4 * width());
     }
 
@@ -67,7 +67,7 @@ class Window : public Drawable {
         m_is_being_shown = true;  // drawing what is queued must not change the size
         std::vector<std::byte> rows(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) *
                                     4);
-        copy_picture(ctx, *this, buffer, pipeline::PixelLayout::kRgba8, rows.data(), 4 * width());
+        copy_picture(ctx, *this, buffer, raster::PixelLayout::kRgba8, rows.data(), 4 * width());
         m_is_being_shown = false;
     }
 

@@ -32,7 +32,7 @@ class Window : public Drawable {
         show(ctx, ColorBuffer::kFront);
     }
     void show(Context& ctx, ColorBuffer buffer) {
-        copy_picture(ctx, *this, buffer, pipeline::PixelLayout::kRgba8,
+        copy_picture(ctx, *this, buffer, raster::PixelLayout::kRgba8,
                      reinterpret_cast<std::byte*>(screen.data()), kSize * 4);
     }
 

@@ -59,7 +59,7 @@ Outcome outcome_of(Context& ctx) {
     outcome.errors = ctx.error.count;
     if (ctx.vertex.open) glEnd();
     outcome.pixels.resize(kSize * kSize * 4);
-    copy_picture(ctx, *ctx.surface.draw, ColorBuffer::kFront, pipeline::PixelLayout::kRgba8,
+    copy_picture(ctx, *ctx.surface.draw, ColorBuffer::kFront, raster::PixelLayout::kRgba8,
                  outcome.pixels.data(), kSize * 4);
     const auto append = [&](auto query, int count) {
         std::array<GLfloat, 16> values{};

@@ -13,8 +13,8 @@
 namespace terrazzo::gl {
 namespace {
 
-using pipeline::cosine;
-using pipeline::sine;
+using simd::cosine;
+using simd::sine;
 
 constexpr Matrix4 kRotateGeneral = {{
     0x1.b34ca4p-1f,
@@ -311,15 +311,14 @@ TEST(MatrixMath, TransposeAndRowProduct) {
 
 TEST(Sine, EqualsGlibc) {
     for (const SineCase& c : kSines) {
-        EXPECT_EQ(std::bit_cast<std::uint32_t>(c.sine),
-                  std::bit_cast<std::uint32_t>(pipeline::sine(c.radians)))
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(c.sine), std::bit_cast<std::uint32_t>(simd::sine(c.radians)))
             << c.radians;
         EXPECT_EQ(std::bit_cast<std::uint32_t>(c.cosine),
-                  std::bit_cast<std::uint32_t>(pipeline::cosine(c.radians)))
+                  std::bit_cast<std::uint32_t>(simd::cosine(c.radians)))
             << c.radians;
     }
-    EXPECT_TRUE(std::isnan(pipeline::sine(INFINITY)));
-    EXPECT_TRUE(std::isnan(pipeline::cosine(NAN)));
+    EXPECT_TRUE(std::isnan(simd::sine(INFINITY)));
+    EXPECT_TRUE(std::isnan(simd::cosine(NAN)));
 }
 
 }  // namespace

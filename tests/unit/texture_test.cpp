@@ -276,26 +276,26 @@ TEST_F(TextureTest, ImagesInUseAreNotWritten) {
         return a;
     }();
     specify(0, 2, 2);
-    const std::shared_ptr<pipeline::TextureImage> in_use = object.levels[0].image.shared();
+    const std::shared_ptr<raster::TextureImage> in_use = object.levels[0].image.shared();
     tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
     EXPECT_NE(object.levels[0].image.shared(), in_use);
     EXPECT_EQ(in_use->rgba8(0, 0)[0], 0);
     EXPECT_EQ(object.levels[0].image->rgba8(0, 0)[0], 255);
     // Not in use any more, the same image is written in place.
-    const pipeline::TextureImage* alone = &*object.levels[0].image;
+    const raster::TextureImage* alone = &*object.levels[0].image;
     tex_sub_image_2d(ctx(), GL_TEXTURE_2D, 0, 1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
     EXPECT_EQ(&*object.levels[0].image, alone);
     EXPECT_EQ(alone->rgba8(1, 1)[3], 255);
 }
 
 TEST_F(TextureTest, TexelsMayBeReadPastTheirEnds) {
-    const auto image = pipeline::TextureImage::create({3, 3, 1, 1, 1, 0}, pipeline::TexelStorage::kRgba8,
-                                                      pipeline::BaseFormat::kRgba);
+    const auto image = raster::TextureImage::create({3, 3, 1, 1, 1, 0}, raster::TexelStorage::kRgba8,
+                                                    raster::BaseFormat::kRgba);
     EXPECT_EQ(reinterpret_cast<uintptr_t>(image->rgba8(-1, -1)) % 64, 0u);
     unsigned sum = 0;  // the sanitizer watches these
     const uint8_t* first = image->rgba8(-1, -1);
     const uint8_t* last = image->rgba8(3, 3) + 3;
-    for (size_t i = 1; i <= pipeline::TextureImage::kPaddingBytes; ++i)
+    for (size_t i = 1; i <= raster::TextureImage::kPaddingBytes; ++i)
         sum += first[-static_cast<ptrdiff_t>(i)] + last[i];
     EXPECT_EQ(sum, 0u);
 }

@@ -33,7 +33,7 @@ void glXBindTexImageEXT(Display* display, GLXDrawable name, int buffer, const in
 
     const bool is_565 = drawable->config->visual.color == terrazzo::raster::ColorFormat::kRgb565;
     const GLenum format = is_565 ? GL_RGB
-                          : drawable->config->visual.layout == terrazzo::pipeline::PixelLayout::kBgra8
+                          : drawable->config->visual.layout == terrazzo::raster::PixelLayout::kBgra8
                               ? GL_BGRA
                               : GL_RGBA;
     const GLenum type = is_565 ? GL_UNSIGNED_SHORT_5_6_5 : GL_UNSIGNED_BYTE;

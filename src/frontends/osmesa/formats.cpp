@@ -7,7 +7,7 @@
 namespace terrazzo::osmesa {
 namespace {
 
-using pipeline::PixelLayout;
+using raster::PixelLayout;
 
 std::optional<PixelLayout> byte_layout(int format) {
     switch (format) {

@@ -14,6 +14,6 @@ bool is_format(int format);
 
 // The pixels of a buffer for `format` and `type` of OSMesaMakeCurrent; empty when OSMesa does not support the
 // pair.
-std::optional<pipeline::PixelLayout> pixel_layout(int format, GLenum type);
+std::optional<raster::PixelLayout> pixel_layout(int format, GLenum type);
 
 }  // namespace terrazzo::osmesa

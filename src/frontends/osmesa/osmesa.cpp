@@ -22,14 +22,14 @@
 
 namespace gl = terrazzo::gl;
 namespace osmesa = terrazzo::osmesa;
-namespace pipeline = terrazzo::pipeline;
+namespace raster = terrazzo::raster;
 
 namespace {
 
-terrazzo::raster::TargetFormat target_format(pipeline::PixelLayout layout, const gl::Config& config) {
-    using pipeline::PixelLayout;
-    using terrazzo::raster::ColorFormat;
-    terrazzo::raster::TargetFormat format;
+raster::TargetFormat target_format(raster::PixelLayout layout, const gl::Config& config) {
+    using raster::ColorFormat;
+    using raster::PixelLayout;
+    raster::TargetFormat format;
     format.depth_bits = static_cast<std::uint8_t>(config.depth_bits);
     format.stencil_bits = static_cast<std::uint8_t>(config.stencil_bits);
     switch (layout) {
@@ -53,8 +53,7 @@ terrazzo::raster::TargetFormat target_format(pipeline::PixelLayout layout, const
 }
 
 // Gives the context something to draw to. Throws std::bad_alloc and changes nothing then.
-void attach_buffers(osmesa_context& context, int width, int height,
-                    const terrazzo::raster::TargetFormat& format) {
+void attach_buffers(osmesa_context& context, int width, int height, const raster::TargetFormat& format) {
     osmesa::ClientBuffer& drawable = *context.drawable;
     gl::Drawable::Buffers buffers;
     const bool are_new = !drawable.has_buffers(width, height, format);

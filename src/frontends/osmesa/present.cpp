@@ -27,7 +27,7 @@ void tell_watcher(gl::Context& ctx, gl::Drawable& drawable, int width, int heigh
         } catch (const std::bad_alloc&) {
             return window::watch_frame(width, height, 0, nullptr);
         }
-        gl::copy_picture(ctx, drawable, gl::ColorBuffer::kFront, pipeline::PixelLayout::kRgba8,
+        gl::copy_picture(ctx, drawable, gl::ColorBuffer::kFront, raster::PixelLayout::kRgba8,
                          rows.data() + (height - 1) * stride, -stride);
     }
     window::watch_frame(width, height, 0, rows.empty() ? nullptr : rows.data());
@@ -42,9 +42,9 @@ ClientBuffer::ClientBuffer(osmesa_context& context)
 
 void ClientBuffer::show_front(gl::Context& ctx) {
     osmesa_context& context = m_context;
-    const pipeline::PixelLayout layout = *pixel_layout(context.format, context.type);
+    const raster::PixelLayout layout = *pixel_layout(context.format, context.type);
     const int row_pixels = context.row_length > 0 ? context.row_length : context.width;
-    const std::ptrdiff_t stride = std::ptrdiff_t{row_pixels} * pipeline::bytes_per_pixel(layout);
+    const std::ptrdiff_t stride = std::ptrdiff_t{row_pixels} * raster::bytes_per_pixel(layout);
     if (context.y_up) {
         gl::copy_picture(ctx, *this, gl::ColorBuffer::kFront, layout, context.buffer, stride);
     } else {
@@ -56,16 +56,17 @@ void ClientBuffer::show_front(gl::Context& ctx) {
 }
 
 void read_depth(osmesa_context& context) {
-    const pipeline::PixelLayout layout = context.gl->config.depth_bits == 16
-                                             ? pipeline::PixelLayout::kDepth16
-                                             : pipeline::PixelLayout::kDepth24Stencil8;
-    const std::ptrdiff_t stride = std::ptrdiff_t{context.width} * pipeline::bytes_per_pixel(layout);
+    const raster::PixelLayout layout = context.gl->config.depth_bits == 16
+                                           ? raster::PixelLayout::kDepth16
+                                           : raster::PixelLayout::kDepth24Stencil8;
+    const std::ptrdiff_t stride = std::ptrdiff_t{context.width} * raster::bytes_per_pixel(layout);
     const bool was_there = !context.depth.empty();
     // A buffer that the client has been given stays where it is.
     std::vector<std::byte> depth = std::move(context.depth);
     try {
         depth.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(context.height));
-        gl::copy_picture(*context.gl, *context.drawable, gl::ColorBuffer::kFront, layout, depth.data(), stride);
+        gl::copy_picture(*context.gl, *context.drawable, gl::ColorBuffer::kFront, layout, depth.data(),
+                         stride);
     } catch (...) {
         if (was_there) context.depth = std::move(depth);
         throw;

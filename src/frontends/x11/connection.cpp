@@ -31,11 +31,11 @@ std::optional<Visual> describe(const xcb_visualtype_t& visual, const ImageFormat
         return visual.red_mask == red && visual.green_mask == green && visual.blue_mask == blue;
     };
     if (image.bits_per_pixel == 32 && masks(0xff0000, 0xff00, 0xff)) {
-        out.layout = pipeline::PixelLayout::kBgra8;
+        out.layout = raster::PixelLayout::kBgra8;
     } else if (image.bits_per_pixel == 32 && masks(0xff, 0xff00, 0xff0000)) {
-        out.layout = pipeline::PixelLayout::kRgba8;
+        out.layout = raster::PixelLayout::kRgba8;
     } else if (image.bits_per_pixel == 16 && masks(0xf800, 0x7e0, 0x1f)) {
-        out.layout = pipeline::PixelLayout::kRgb565;
+        out.layout = raster::PixelLayout::kRgb565;
         out.color = raster::ColorFormat::kRgb565;
         out.red_bits = out.blue_bits = 5;
         out.green_bits = 6;

@@ -20,7 +20,7 @@ struct Visual {
     std::uint8_t visual_class = 0;  // XCB_VISUAL_CLASS_TRUE_COLOR or _DIRECT_COLOR
     ImageFormat image;
     raster::ColorFormat color = raster::ColorFormat::kRgba8;
-    pipeline::PixelLayout layout = pipeline::PixelLayout::kBgra8;
+    raster::PixelLayout layout = raster::PixelLayout::kBgra8;
     int red_bits = 8, green_bits = 8, blue_bits = 8;
     bool has_alpha = false;  // the server shows or keeps an alpha channel: depth 32
 };

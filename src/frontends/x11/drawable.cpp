@@ -29,14 +29,14 @@ namespace terrazzo::x11 {
 namespace {
 
 // Of layouts kRgba8, kBgra8 and kRgb565; alpha is 255.
-std::vector<std::byte> rgba_rows(Image& image, pipeline::PixelLayout layout) {
+std::vector<std::byte> rgba_rows(Image& image, raster::PixelLayout layout) {
     std::vector<std::byte> out(static_cast<std::size_t>(image.width()) *
                                static_cast<std::size_t>(image.height()) * 4);
     std::byte* to = out.data();
     for (int y = 0; y < image.height(); ++y) {
         const std::byte* from = image.data() + y * image.stride();
         for (int x = 0; x < image.width(); ++x, to += 4) {
-            if (layout == pipeline::PixelLayout::kRgb565) {
+            if (layout == raster::PixelLayout::kRgb565) {
                 std::uint16_t word;
                 std::memcpy(&word, from + 2 * x, sizeof word);
                 const unsigned red = word >> 11, green = word >> 5 & 63, blue = word & 31;
@@ -45,7 +45,7 @@ std::vector<std::byte> rgba_rows(Image& image, pipeline::PixelLayout layout) {
                 to[2] = static_cast<std::byte>(blue << 3 | blue >> 2);
             } else {
                 std::memcpy(to, from + 4 * x, 3);
-                if (layout == pipeline::PixelLayout::kBgra8) std::swap(to[0], to[2]);
+                if (layout == raster::PixelLayout::kBgra8) std::swap(to[0], to[2]);
             }
             to[3] = std::byte{255};
         }
@@ -300,7 +300,7 @@ std::optional<Picture> ServerDrawable::read_server() {
     Image* const shown = fetch();
     if (!shown) return {};
     const auto row_bytes = static_cast<std::size_t>(shown->width()) *
-                           static_cast<std::size_t>(pipeline::bytes_per_pixel(m_format.visual.layout));
+                           static_cast<std::size_t>(raster::bytes_per_pixel(m_format.visual.layout));
     Picture out{shown->width(), shown->height(), {}};
     out.rows.resize(row_bytes * static_cast<std::size_t>(out.height));
     for (int y = 0; y < out.height; ++y)

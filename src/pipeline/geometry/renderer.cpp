@@ -106,11 +106,11 @@ void Renderer::finish() {
     m_frame.draw();
 }
 
-void Renderer::finish(PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
+void Renderer::finish(raster::PixelLayout layout, std::byte* row0, std::ptrdiff_t stride) {
     if (m_frame.target() == nullptr) return;
-    const auto group = rows_share_cache_lines(stride) ? Frame::Group::kRow : Frame::Group::kBin;
+    const auto group = raster::rows_share_cache_lines(stride) ? Frame::Group::kRow : Frame::Group::kBin;
     m_frame.draw(group, [&](int first, int count) {
-        resolve_bins(*m_frame.target(), first, count, layout, row0, stride);
+        raster::resolve_bins(*m_frame.target(), first, count, layout, row0, stride);
     });
 }
 

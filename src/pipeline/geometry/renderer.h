@@ -102,7 +102,7 @@ class Renderer {
     // changes nothing then.
     void finish();
     // The same, with the picture copied out (raster/target/copy_out.h) bin by bin as it is finished.
-    void finish(PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
+    void finish(raster::PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
 
   private:
     template <typename Add>

@@ -9,7 +9,6 @@
 #include "pipeline/schedule/statistics.h"
 #include "pipeline/schedule/workers.h"
 #include "raster/batch.h"
-#include "raster/target/clear.h"
 
 namespace terrazzo::pipeline {
 

@@ -16,6 +16,7 @@
 #include "pipeline/schedule/fragment_block.h"
 #include "raster/kernel_table.h"
 #include "raster/primitive.h"
+#include "raster/target/clear.h"
 #include "raster/target/target.h"
 #include "raster/target/texture_image.h"
 
@@ -86,7 +87,7 @@ class Frame {
     bool empty() const { return m_commands == 0; }
     bool full() const {
         return m_arena.used_bytes() + m_kept_bytes >= kMaxBytes ||
-               TextureImage::abandoned_bytes() >= kMaxBytes;
+               raster::TextureImage::abandoned_bytes() >= kMaxBytes;
     }
     size_t command_count() const { return m_commands; }
     Arena& arena() { return m_arena; }

@@ -2,10 +2,18 @@
 // the scissor rectangle and the masks.
 #pragma once
 
-#include "raster/kernel_table.h"
 #include "raster/target/target.h"
 
 namespace terrazzo::raster {
+
+// A clear in a bin's list: of the whole bin where the rectangle and masks are full, else pixel by pixel.
+struct BinClear {
+    ClearPlanes planes;
+    ClearValues values;
+    int16_t x0, y0, x1, y1;
+    uint8_t color_mask;  // bit 0 red ... bit 3 alpha
+    uint8_t stencil_mask;
+};
 
 // Whether the clear covers every pixel of the target in the bin at (bin_x, bin_y), with all bits of its
 // planes.

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "raster/fragment_state.h"
+#include "raster/target/formats.h"
 
 namespace terrazzo::raster {
 

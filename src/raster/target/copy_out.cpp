@@ -11,13 +11,8 @@
 #include "raster/target/color_format.h"
 #include "raster/target/mean_of_samples.h"
 
-namespace terrazzo::pipeline {
+namespace terrazzo::raster {
 namespace {
-
-using raster::Bin;
-using raster::kBinSize;
-using raster::kTileSize;
-using raster::Target;
 
 // Per layout: `kPixelBytes`, and `store`, which writes `count` consecutive pixels of a bin, beginning with
 // number `first` in the order of its memory.
@@ -104,10 +99,9 @@ void copy_tiles(const Bin& bin, const Rows& rows) {
     for (int y = rows.first_row; y < rows.end; ++y) {
         std::byte* const out = rows.first + y * rows.stride;
         for (int x = 0; x < whole_width; x += kTileSize)
-            Layout::store(bin, raster::pixel_index(x, y), kTileSize,
-                          out + std::ptrdiff_t{x} * Layout::kPixelBytes);
+            Layout::store(bin, pixel_index(x, y), kTileSize, out + std::ptrdiff_t{x} * Layout::kPixelBytes);
         if (whole_width < rows.width) {
-            Layout::store(bin, raster::pixel_index(whole_width, y), rows.width - whole_width,
+            Layout::store(bin, pixel_index(whole_width, y), rows.width - whole_width,
                           out + std::ptrdiff_t{whole_width} * Layout::kPixelBytes);
         }
     }
@@ -117,7 +111,7 @@ void copy_tiles(const Bin& bin, const Rows& rows) {
 template <class Layout>
 void copy_clear_color(const Target& target, const Bin& bin, const Rows& rows) {
     alignas(16) std::array<std::byte, kTileSize * 16> tile_row;
-    raster::fill_color(target.format().color, bin.state->clear.color, tile_row.data(), kTileSize);
+    fill_color(target.format().color, bin.state->clear.color, tile_row.data(), kTileSize);
     Bin one_tile_row = bin;
     one_tile_row.color = tile_row.data();
     std::byte* const first = rows.first + rows.first_row * rows.stride;
@@ -134,7 +128,7 @@ void copy_clear_color(const Target& target, const Bin& bin, const Rows& rows) {
 template <class Layout>
 [[gnu::noinline]] void copy_resolved_tiles(const Target& target, Bin bin, const Rows& rows) {
     ResolvedPixels pixels;
-    resolve_samples(bin, target.format().color, 0, raster::kBinTiles, pixels);
+    resolve_samples(bin, target.format().color, 0, kBinTiles, pixels);
     bin.color = pixels.bytes;
     copy_tiles<Layout>(bin, rows);
 }
@@ -207,4 +201,4 @@ void resolve_bins(Target& target, int first, int count, PixelLayout layout, std:
     }
 }
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

@@ -8,7 +8,7 @@
 
 #include "raster/target/target.h"
 
-namespace terrazzo::pipeline {
+namespace terrazzo::raster {
 
 // Components are named in the order of their addresses and are in the host's byte order. Colour layouts go
 // with the target's colour format; depth layouts with any target that has depth.
@@ -53,7 +53,7 @@ constexpr int bytes_per_pixel(PixelLayout layout) {
 // The part of the picture that lies in some bins side by side, from number `first` on. `row0` is where the
 // target's row 0 goes, the others follow `stride` bytes apart. Different bins may be resolved by different
 // threads.
-void resolve_bins(raster::Target& target, int first, int count, PixelLayout layout, std::byte* row0,
+void resolve_bins(Target& target, int first, int count, PixelLayout layout, std::byte* row0,
                   std::ptrdiff_t stride);
 
 // Whether a column of rows so far apart meets in so few sets of a cache of 32 or 48 KB that they drive each
@@ -61,4 +61,4 @@ void resolve_bins(raster::Target& target, int first, int count, PixelLayout layo
 // end to end: a picture of 1024x1024 takes a quarter of the time.
 bool rows_share_cache_lines(std::ptrdiff_t stride);
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

@@ -9,18 +9,17 @@
 
 #include "raster/target/target.h"
 
-namespace terrazzo::pipeline {
+namespace terrazzo::raster {
 
 // Room for a bin's pixels in any format.
 struct ResolvedPixels {
-    alignas(64) std::byte bytes[raster::kBinPixels * 16];
+    alignas(64) std::byte bytes[kBinPixels * 16];
 };
 
 // Some of a bin's tiles, row by row from `first_tile` on.
-void resolve_samples(const raster::Bin& bin, raster::ColorFormat format, int first_tile, int tile_count,
-                     ResolvedPixels& to);
+void resolve_samples(const Bin& bin, ColorFormat format, int first_tile, int tile_count, ResolvedPixels& to);
 
 // The mean of one pixel's samples before it is rounded; `pixel` counts within the bin.
-void mean_of_samples(const raster::Bin& bin, raster::ColorFormat format, int pixel, float (&rgba)[4]);
+void mean_of_samples(const Bin& bin, ColorFormat format, int pixel, float (&rgba)[4]);
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

@@ -6,15 +6,8 @@
 
 #include "raster/target/mean_of_samples.h"
 
-namespace terrazzo::pipeline {
+namespace terrazzo::raster {
 namespace {
-
-using raster::Bin;
-using raster::ColorFormat;
-using raster::kBinSize;
-using raster::kTilePixels;
-using raster::kTileSize;
-using raster::Target;
 
 struct Rgba8 {
     uint8_t components[4];
@@ -29,9 +22,9 @@ struct Rgba32F {
 // Pixels of one row of a bin, from column `x` of the bin on.
 template <typename Pixel>
 void copy_bin_row(const Pixel* plane, int x, int row, int count, Pixel* out) {
-    const Pixel* tile_row = plane + raster::pixel_index(0, row);
+    const Pixel* tile_row = plane + pixel_index(0, row);
     const int head = std::min(count, (kTileSize - x % kTileSize) % kTileSize);
-    std::copy_n(plane + raster::pixel_index(x, row), head, out);
+    std::copy_n(plane + pixel_index(x, row), head, out);
     int i = head;
     for (; i + kTileSize <= count; i += kTileSize) {
         std::copy_n(tile_row + (x + i) / kTileSize * kTilePixels, kTileSize, out + i);
@@ -72,8 +65,8 @@ template <typename Pixel>
     ResolvedPixels pixels;
     const auto plane = [&](const Bin& bin, int row, int rows) {
         const int first = row / kTileSize, last = (row + rows - 1) / kTileSize;
-        resolve_samples(bin, target.format().color, first * raster::kTilesAcross,
-                        (last - first + 1) * raster::kTilesAcross, pixels);
+        resolve_samples(bin, target.format().color, first * kTilesAcross, (last - first + 1) * kTilesAcross,
+                        pixels);
         return reinterpret_cast<const Pixel*>(pixels.bytes);
     };
     copy_rect(target, plane, rect, out, stride);
@@ -145,7 +138,7 @@ void read_means(Target& target, int x, int row, int count, float* rgba) {
         const Bin bin = target.bin(index);
         for (const int last = std::min(end, bin.x + kBinSize); x < last; ++x, rgba += 4) {
             float mean[4];
-            mean_of_samples(bin, target.format().color, raster::pixel_index(x - bin.x, row % kBinSize), mean);
+            mean_of_samples(bin, target.format().color, pixel_index(x - bin.x, row % kBinSize), mean);
             std::copy_n(mean, 4, rgba);
         }
     }
@@ -209,4 +202,4 @@ void read_stencil(Target& target, int x, int row, int count, uint8_t* stencils) 
         target, [](const Bin& bin, int, int) { return bin.stencil; }, x, row, count, stencils);
 }
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

@@ -10,27 +10,27 @@
 
 #include "raster/target/target.h"
 
-namespace terrazzo::pipeline {
+namespace terrazzo::raster {
 
 // Whether bytes hold every colour of the format: what `read_color_rgba8` can take.
-constexpr bool fits_rgba8(raster::ColorFormat format) {
-    return format == raster::ColorFormat::kRgba8 || format == raster::ColorFormat::kRgb565;
+constexpr bool fits_rgba8(ColorFormat format) {
+    return format == ColorFormat::kRgba8 || format == ColorFormat::kRgb565;
 }
 
 // Colour as R, G, B, A; alpha is 1 where the format has none. Components of fewer than 8 bits have their bits
 // repeated.
-void read_color_rgba8(raster::Target& target, int x, int row, int count, uint8_t* rgba);
+void read_color_rgba8(Target& target, int x, int row, int count, uint8_t* rgba);
 // A rectangle of a target of kRgba8 with alpha, as it is: the row after one goes `stride` bytes further, up
 // or down.
 struct RowRect {
     int x, row, width, height;
 };
-void read_rgba8_rect(raster::Target& target, const RowRect& rect, uint8_t* rgba, std::ptrdiff_t stride);
+void read_rgba8_rect(Target& target, const RowRect& rect, uint8_t* rgba, std::ptrdiff_t stride);
 
-void read_color_float(raster::Target& target, int x, int row, int count, float* rgba);
+void read_color_float(Target& target, int x, int row, int count, float* rgba);
 
 // Depth as an integer of the target's depth_bits.
-void read_depth(raster::Target& target, int x, int row, int count, uint32_t* depths);
-void read_stencil(raster::Target& target, int x, int row, int count, uint8_t* stencils);
+void read_depth(Target& target, int x, int row, int count, uint32_t* depths);
+void read_stencil(Target& target, int x, int row, int count, uint8_t* stencils);
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

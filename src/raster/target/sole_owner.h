@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace terrazzo::pipeline {
+namespace terrazzo::raster {
 
 // Whether nobody else holds the object, and all that others have done with it is over. Nobody may be able to
 // take a new reference meanwhile.
@@ -18,4 +18,4 @@ bool is_sole_owner(const std::shared_ptr<Object>& object) {
     return true;
 }
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

@@ -7,8 +7,8 @@
 #include <new>
 #include <utility>
 
-#include "raster/kernel_table.h"
 #include "raster/target/color_format.h"
+#include "raster/target/plane_kernels.h"
 
 namespace terrazzo::raster {
 
@@ -145,7 +145,7 @@ void Target::materialize(int index, ClearPlanes wanted) {
         if (m_format.color == ColorFormat::kRgba8) {
             uint32_t pixel;
             encode_color(m_format.color, info.clear.color, reinterpret_cast<std::byte*>(&pixel));
-            kernels().fill(reinterpret_cast<uint32_t*>(planes.color), pixel, kBinPixels);
+            plane_kernels().fill(reinterpret_cast<uint32_t*>(planes.color), pixel, kBinPixels);
         } else {
             fill_color(m_format.color, info.clear.color, planes.color, kBinPixels);
         }
@@ -153,7 +153,7 @@ void Target::materialize(int index, ClearPlanes wanted) {
     }
     if (depth) {
         mark_alike(planes.depth_alike);
-        kernels().fill(planes.depth, info.clear.depth, kBinPixels);
+        plane_kernels().fill(planes.depth, info.clear.depth, kBinPixels);
         std::fill_n(planes.farthest, kBinTiles, info.farthest);
         info.pending.depth = false;
     }

@@ -24,7 +24,7 @@
 #include <mutex>
 #include <vector>
 
-#include "raster/fragment_state.h"
+#include "raster/target/formats.h"
 #include "raster/target/zeroed_memory.h"
 
 namespace terrazzo::raster {
@@ -35,20 +35,6 @@ inline constexpr int kBinSize = 64;
 inline constexpr int kBinPixels = kBinSize * kBinSize;
 inline constexpr int kBinTiles = kBinPixels / kTilePixels;
 inline constexpr int kTilesAcross = kBinSize / kTileSize;
-
-[[gnu::always_inline]] constexpr int bytes_per_pixel(ColorFormat format) {
-    switch (format) {
-        case ColorFormat::kRgba8:
-            return 4;
-        case ColorFormat::kRgb565:
-            return 2;
-        case ColorFormat::kRgba16:
-            return 8;
-        case ColorFormat::kRgba32F:
-            return 16;
-    }
-    return 0;
-}
 
 inline constexpr int kMaxSamples = 4;
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <new>
 
-namespace terrazzo::pipeline {
+namespace terrazzo::raster {
 
 namespace {
 std::atomic<size_t> abandoned{0};
@@ -47,7 +47,7 @@ std::shared_ptr<TextureImage> TextureImage::create(const Size& size, TexelStorag
     image->storage = storage;
     image->base_format = base_format;
     image->pitch = image->stored_width();
-    image->m_memory = raster::ZeroedMemory(image->size_in_bytes() + 2 * kPaddingBytes);
+    image->m_memory = ZeroedMemory(image->size_in_bytes() + 2 * kPaddingBytes);
     if (image->m_memory.data() == nullptr) return nullptr;
     image->content_changes();
     image->m_texels = static_cast<uint8_t*>(image->m_memory.data()) + kPaddingBytes;
@@ -77,4 +77,4 @@ TextureImage* LevelImage::writable() {
     return m_image.get();
 }
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

@@ -13,14 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "raster/fragment_state.h"
+#include "raster/target/formats.h"
 #include "raster/target/sole_owner.h"
 #include "raster/target/zeroed_memory.h"
 
-namespace terrazzo::pipeline {
-
-using raster::BaseFormat;
-using raster::TexelStorage;
+namespace terrazzo::raster {
 
 constexpr size_t bytes_per_texel(TexelStorage storage) {
     return storage == TexelStorage::kRgba32F ? 16 : 4;
@@ -117,7 +114,7 @@ struct TextureImage {
                static_cast<size_t>(stored_depth()) * bytes_per_texel(storage);
     }
 
-    raster::ZeroedMemory m_memory;
+    ZeroedMemory m_memory;
     uint8_t* m_texels = nullptr;  // the first stored texel, 64-byte aligned, inside m_memory
     std::vector<uint8_t> m_stencils;
     bool m_abandoned = false;
@@ -156,4 +153,4 @@ class LevelImage {
     std::shared_ptr<TextureImage> m_image;
 };
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

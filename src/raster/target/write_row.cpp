@@ -6,11 +6,7 @@
 
 #include "raster/target/color_format.h"
 
-namespace terrazzo::pipeline {
-
-using raster::Bin;
-using raster::kBinSize;
-using raster::Target;
+namespace terrazzo::raster {
 
 namespace {
 
@@ -24,10 +20,9 @@ void for_each_pixel(Target& target, int x, int row, int count, Store store) {
         const Bin bin = target.bin(index);
         const int end = std::min(count, i + kBinSize - (x + i) % kBinSize);
         for (int sample = 0; sample < target.format().samples; ++sample) {
-            const Bin planes = raster::planes_of_sample(bin, sample, target.format().color);
+            const Bin planes = planes_of_sample(bin, sample, target.format().color);
             for (int k = i; k < end; ++k)
-                store(planes, static_cast<size_t>(raster::pixel_index((x + k) % kBinSize, row % kBinSize)),
-                      k);
+                store(planes, static_cast<size_t>(pixel_index((x + k) % kBinSize, row % kBinSize)), k);
         }
         i = end;
     }
@@ -39,19 +34,19 @@ struct PlacedPixel {
         : bin(materialized(place.target,
                            place.row / kBinSize * place.target.bins_across() + place.x / kBinSize)),
           format(place.target.format().color),
-          pixel(raster::pixel_index(place.x % kBinSize, place.row % kBinSize)) {}
+          pixel(pixel_index(place.x % kBinSize, place.row % kBinSize)) {}
 
     static Bin materialized(Target& target, int index) {
         target.materialize(index);
         return target.bin(index);
     }
-    int tile() const { return pixel / raster::kTilePixels; }
+    int tile() const { return pixel / kTilePixels; }
     std::byte* color(int sample) const {
-        return raster::planes_of_sample(bin, sample, format).color + pixel * raster::bytes_per_pixel(format);
+        return planes_of_sample(bin, sample, format).color + pixel * bytes_per_pixel(format);
     }
 
     Bin bin;
-    raster::ColorFormat format;
+    ColorFormat format;
     int pixel;
 };
 
@@ -60,26 +55,26 @@ template <typename Value>
 void copy_plane(const PlacedPixel& a, const Value* from, const uint8_t* from_alike, const PlacedPixel& b,
                 Value* to, uint8_t* to_alike) {
     const bool alike = from_alike[a.tile()] != 0;
-    if (!alike) raster::spread_tile(to, b.tile(), sizeof(Value), to_alike);
-    for (int s = 0; s < raster::kMaxSamples; ++s)
-        to[s * raster::kBinPixels + b.pixel] = from[(alike ? 0 : s) * raster::kBinPixels + a.pixel];
+    if (!alike) spread_tile(to, b.tile(), sizeof(Value), to_alike);
+    for (int s = 0; s < kMaxSamples; ++s)
+        to[s * kBinPixels + b.pixel] = from[(alike ? 0 : s) * kBinPixels + a.pixel];
 }
 
 }  // namespace
 
 void write_color(Target& target, int x, int row, int count, const float* rgba) {
-    const raster::ColorFormat format = target.format().color;
-    const auto size = static_cast<size_t>(raster::bytes_per_pixel(format));
+    const ColorFormat format = target.format().color;
+    const auto size = static_cast<size_t>(bytes_per_pixel(format));
     for_each_pixel(target, x, row, count, [&](const Bin& bin, size_t at, int i) {
         float color[4];
         std::copy_n(rgba + 4 * i, 4, color);
-        raster::round_as_drawn(format, color);
-        raster::encode_color(format, color, bin.color + at * size);
+        round_as_drawn(format, color);
+        encode_color(format, color, bin.color + at * size);
     });
 }
 
 void write_color_rgba8(Target& target, int x, int row, int count, const uint8_t* rgba) {
-    if (target.format().color == raster::ColorFormat::kRgba8) {
+    if (target.format().color == ColorFormat::kRgba8) {
         for_each_pixel(target, x, row, count, [&](const Bin& bin, size_t at, int i) {
             std::memcpy(bin.color + 4 * at, rgba + 4 * i, 4);
         });
@@ -104,18 +99,18 @@ void write_stencil(Target& target, int x, int row, int count, const uint8_t* ste
                    [&](const Bin& bin, size_t at, int i) { bin.stencil[at] = stencils[i]; });
 }
 
-void copy_samples(const PixelPlace& from, const PixelPlace& to, raster::ClearPlanes planes) {
+void copy_samples(const PixelPlace& from, const PixelPlace& to, ClearPlanes planes) {
     const PlacedPixel a(from), b(to);
     if (planes.color) {
         const bool alike = a.bin.color_alike[a.tile()] != 0;
         if (!alike)
-            raster::spread_tile(b.bin.color, b.tile(), static_cast<size_t>(raster::bytes_per_pixel(b.format)),
-                                b.bin.color_alike);
-        for (int s = 0; s < raster::kMaxSamples; ++s) {
+            spread_tile(b.bin.color, b.tile(), static_cast<size_t>(bytes_per_pixel(b.format)),
+                        b.bin.color_alike);
+        for (int s = 0; s < kMaxSamples; ++s) {
             float color[4];
-            raster::decode_color(a.format, a.color(alike ? 0 : s), color);
-            if (a.format != b.format) raster::round_as_drawn(b.format, color);
-            raster::encode_color(b.format, color, b.color(s));
+            decode_color(a.format, a.color(alike ? 0 : s), color);
+            if (a.format != b.format) round_as_drawn(b.format, color);
+            encode_color(b.format, color, b.color(s));
         }
     }
     if (planes.depth) copy_plane(a, a.bin.depth, a.bin.depth_alike, b, b.bin.depth, b.bin.depth_alike);
@@ -123,4 +118,4 @@ void copy_samples(const PixelPlace& from, const PixelPlace& to, raster::ClearPla
         copy_plane(a, a.bin.stencil, a.bin.stencil_alike, b, b.bin.stencil, b.bin.stencil_alike);
 }
 
-}  // namespace terrazzo::pipeline
+}  // namespace terrazzo::raster

@@ -62,8 +62,8 @@ void SmoothShapes::line(int a, int b) {
     const float dx = m_vertices.column(kWindowX)[b] - m_vertices.column(kWindowX)[a];
     const float dy = m_vertices.column(kWindowY)[b] - m_vertices.column(kWindowY)[a];
     if (!is_window_coordinate(dx) || !is_window_coordinate(dy)) return;
-    const float angle = arc_tangent(dy, dx);
-    const float c = cosine(angle), s = sine(angle);
+    const float angle = simd::arc_tangent(dy, dx);
+    const float c = simd::cosine(angle), s = simd::sine(angle);
     const float width = m_state.raster.line_width;
     const float half_width = width <= 1 ? 1.0f : 0.5f * width + 0.5f;
     float half_length = 0.5f * std::sqrt(dx * dx + dy * dy);
