@@ -55,14 +55,21 @@ constexpr GLbitfield kAllBuffers = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | G
 // Slivers and large triangles all round a centre, one behind the other.
 void star(const Gl& gl, float x, float y, float radius, int rays, float z = 0) {
     Random random(7);
+    // One number after the other: the order of arguments is the compiler's, and the reference drops more of
+    // some lines than of others.
+    const auto corner = [&](float spread, float depth) {
+        const float dz = depth == 0 ? 0 : random(-depth, depth);
+        const float dy = random(-spread, spread), dx = random(-spread, spread);
+        gl.Vertex3f(x + dx, y + dy, z + dz);
+    };
     gl.Begin(GL_TRIANGLES);
     for (int i = 0; i < rays; ++i) {
         const float turn = static_cast<float>(i) / static_cast<float>(rays);
         gl.Color4fv(hue(turn).data());
-        gl.Vertex3f(x + random(-3, 3), y + random(-3, 3), z);
-        gl.Vertex3f(x + random(-radius, radius), y + random(-radius, radius), z + random(-0.4F, 0.4F));
+        corner(3, 0);
+        corner(radius, 0.4F);
         gl.Color4fv(hue(turn + 0.3F).data());
-        gl.Vertex3f(x + random(-radius, radius), y + random(-radius, radius), z + random(-0.4F, 0.4F));
+        corner(radius, 0.4F);
     }
     gl.End();
 }
