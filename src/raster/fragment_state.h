@@ -217,7 +217,7 @@ struct FragmentKey {
     bool textured = false;  // FragmentState::textures
     PixelImage image = PixelImage::kNone;
 
-    friend constexpr bool operator==(const FragmentKey&, const FragmentKey&) = default;
+    [[gnu::always_inline]] friend constexpr bool operator==(const FragmentKey&, const FragmentKey&) = default;
 };
 
 struct StencilFace {

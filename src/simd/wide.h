@@ -22,7 +22,11 @@
 #define TERRAZZO_CONCAT_(a, b) a##b
 #define TERRAZZO_CONCAT(a, b) TERRAZZO_CONCAT_(a, b)
 #define TERRAZZO_ISA_NAMESPACE TERRAZZO_CONCAT(isa_, TERRAZZO_ISA)
+#if HWY_TARGET == HWY_SCALAR
+#define TERRAZZO_INLINE inline
+#else
 #define TERRAZZO_INLINE inline __attribute__((always_inline))
+#endif
 // The same of a lambda, behind its parameters.
 #define TERRAZZO_INLINE_LAMBDA __attribute__((always_inline))
 // For what runs rarely or long: compiled once, however many kernels call it.
