@@ -66,8 +66,8 @@ inline void general_sample_stage(const FragmentState& state, const TextureStage&
     for (int i = 0; i < batch.count; ++i) sample_tile(state, stage, batch, i);
 }
 
-// lambda of the pixels on a texture of one or two dimensions, as level_of_detail has it.
-TERRAZZO_INLINE F32x16 plane_lambda(const Sampler& sampler, F32x16 s, F32x16 t) {
+// Of each of a tile's quads: the square of the larger of its scale factors, as level_of_detail has it.
+TERRAZZO_INLINE void quads_squared_rho(const Sampler& sampler, F32x16 s, F32x16 t, float* to) {
     F32x16 rho_x(0.0f), rho_y(0.0f);
     const auto add = [&](F32x16 coordinate, int32_t size) TERRAZZO_INLINE_LAMBDA {
         const F32x16 u = coordinate * F32x16(static_cast<float>(size));
@@ -76,68 +76,110 @@ TERRAZZO_INLINE F32x16 plane_lambda(const Sampler& sampler, F32x16 s, F32x16 t) 
     };
     add(s, sampler.levels[0].width);
     if (sampler.dimensions > 1) add(t, sampler.levels[0].height);
-    return lambda_of(sampler, select(rho_x > rho_y, rho_x, rho_y), true);
+    alignas(64) float of_pixels[kTilePixels];
+    store(select(rho_x > rho_y, rho_x, rho_y), of_pixels);
+    to[0] = of_pixels[0], to[1] = of_pixels[2], to[2] = of_pixels[8], to[3] = of_pixels[10];
 }
 
-// Which levels an entry's texels come from.
-struct LevelChoice {
-    enum Kind : uint8_t {
-        kMagnified,  // all from the first level, with the magnification's filter
-        kMinified,   // all from `first`, mixed with those of `second` where that is another
-        kMixed       // not the same levels for all pixels
-    } kind;
-    int first, second;
+// Of all quads of a batch, four an entry: 0 where the texture is magnified, else the number of the first
+// level that its texels come from, plus 1; and the weight of the next level, in 256ths.
+struct QuadLevels {
+    static constexpr int kQuads = 4 * kBatchTiles;
+    alignas(64) int32_t codes[kQuads], weights[kQuads];
 };
 
-// Stores the weights of the second level, in 256ths, where there is one.
-TERRAZZO_INLINE LevelChoice choose_levels(const Sampler& sampler, F32x16 lambda, uint32_t mask,
-                                          uint32_t* weights) {
-    const uint32_t minified = bits_of(lambda > F32x16(0.0f)) & mask;
-    if (minified == 0) return {LevelChoice::kMagnified, 0, 0};
+// Sixteen quads, whichever tiles they belong to.
+TERRAZZO_INLINE void choose_levels(const Sampler& sampler, F32x16 squared_rho, int32_t* codes,
+                                   int32_t* weights) {
+    const F32x16 lambda = lambda_of(sampler, squared_rho, false);
     const int last = sampler.mip_filter == MipFilter::kNone ? 0 : sampler.level_count - 1;
-    const bool mixes = sampler.mip_filter == MipFilter::kLinear;
     const F32x16 l = clamp(lambda, F32x16(0.0f), F32x16(static_cast<float>(last)));
-    const F32x16 base = floor(mixes ? l : l + F32x16(0.5f));
-    const I32x16 levels = truncate_to_int(base);
-    alignas(64) int32_t level_of[16];
-    store(levels, level_of);
-    const int level = level_of[std::countr_zero(mask)];
-    if (minified != mask || (bits_of(levels != I32x16(level)) & mask) != 0)
-        return {LevelChoice::kMixed, 0, 0};
-    if (mixes) store(truncate_to_int((l - base) * F32x16(256.0f)), weights);
-    return {LevelChoice::kMinified, level, mixes ? std::min(level + 1, last) : level};
+    const F32x16 base = floor(sampler.mip_filter == MipFilter::kLinear ? l : l + F32x16(0.5f));
+    store(select(lambda > F32x16(0.0f), truncate_to_int(base) + I32x16(1), I32x16(0)), codes);
+    store(truncate_to_int((l - base) * F32x16(256.0f)), weights);
 }
 
+inline void choose_levels(const Sampler& sampler, const Batch& batch, QuadLevels& levels) {
+    alignas(64) float squared_rho[QuadLevels::kQuads];
+    const int count = batch.count, quads = 4 * count;
+    for (int i = 0; i < count; ++i)
+        quads_squared_rho(sampler, load(batch.s[i]), load(batch.t[i]), squared_rho + 4 * i);
+    for (int q = quads; q % kTilePixels != 0; ++q) squared_rho[q] = 1;
+    for (int q = 0; q < quads; q += kTilePixels)
+        choose_levels(sampler, load(squared_rho + q), levels.codes + q, levels.weights + q);
+}
+
+// Which levels an entry's texels come from: all from `first`, mixed with those of `second` where that is
+// another.
+struct LevelChoice {
+    enum Kind : uint8_t { kMagnified, kMinified, kMixed /* not the same for all quads */ } kind;
+    int first, second;
+};
+TERRAZZO_INLINE LevelChoice choice_of(const Sampler& sampler, const int32_t* codes, uint32_t mask) {
+    const int first_pixel = std::countr_zero(mask);
+    const int32_t code = codes[first_pixel / 8 * 2 + first_pixel % 4 / 2];
+    // Without branches: which quads are alive nobody can foretell.
+    const auto difference = [&](int quad, uint32_t pixels) TERRAZZO_INLINE_LAMBDA {
+        return (mask & pixels) != 0 ? codes[quad] ^ code : 0;
+    };
+    if ((difference(0, 0x0033) | difference(1, 0x00cc) | difference(2, 0x3300) | difference(3, 0xcc00)) != 0)
+        return {LevelChoice::kMixed, 0, 0};
+    if (code == 0) return {LevelChoice::kMagnified, 0, 0};
+    const int level = code - 1;
+    const bool mixes = sampler.mip_filter == MipFilter::kLinear;
+    return {LevelChoice::kMinified, level, mixes ? std::min(level + 1, sampler.level_count - 1) : level};
+}
+// Quads' values for their pixels.
+TERRAZZO_INLINE void spread_quads(const int32_t* quads, uint32_t* pixels) {
+    for (int half = 0; half < 2; ++half)
+        for (int i = 0; i < 4; ++i) {
+            const auto value = static_cast<uint32_t>(quads[2 * half + i / 2]);
+            pixels[8 * half + i] = pixels[8 * half + 4 + i] = value;
+        }
+}
+
+// What a mip-mapped stage is made for.
+enum class MipKind : uint8_t {
+    kMaskedLinear,  // both filters LINEAR, coordinates that repeat by masks
+    kLinear,        // both LINEAR
+    kAny
+};
+
 // The footprint of one level, with either filter.
-TERRAZZO_INLINE void locate(const Sampler& sampler, int level, Filter filter, bool masked, F32x16 s, F32x16 t,
+template <MipKind kKind>
+TERRAZZO_INLINE void locate(const Sampler& sampler, int level, Filter filter, F32x16 s, F32x16 t,
                             Batch::Footprint& to) {
     const MipLevel& mip = sampler.levels[static_cast<size_t>(level)];
-    if (filter == Filter::kNearest) return nearest_footprint(sampler, mip, s, t, to);
-    return masked ? masked_footprint(mip, s, t, to) : linear_footprint(sampler, mip, s, t, to);
+    if constexpr (kKind == MipKind::kMaskedLinear) return masked_footprint(mip, s, t, to);
+    if (kKind == MipKind::kAny && filter == Filter::kNearest)
+        return nearest_footprint(sampler, mip, s, t, to);
+    linear_footprint(sampler, mip, s, t, to);
 }
+template <MipKind kKind>
 TERRAZZO_INLINE NativeTexels fetch(const Batch::Footprint& from, Filter filter, int p) {
-    return filter == Filter::kLinear ? fetch_linear(from, p) : split_texels(fetch_nearest(from, p));
+    if (kKind == MipKind::kAny && filter == Filter::kNearest) return split_texels(fetch_nearest(from, p));
+    return fetch_linear(from, p);
 }
 
 // A mip-mapped texture of 8 bits whose coordinates repeat or are clamped to the edge, or one whose filters
 // differ. Few entries have pixels of different levels; they are sampled one by one.
-inline void mipmapped_stage(const FragmentState& state, const TextureStage& stage, Bin&, Batch& batch) {
+template <MipKind kKind>
+void mipmapped_stage(const FragmentState& state, const TextureStage& stage, Bin&, Batch& batch) {
     const Sampler& sampler = stage.sampler;
-    const bool masked = is_masked(sampler);
     const int count = batch.count;
+    QuadLevels levels;
+    choose_levels(sampler, batch, levels);
     LevelChoice choices[kBatchTiles];
-    alignas(64) Batch::Words weights[kBatchTiles];
     const auto filter_of = [&](const LevelChoice& choice) TERRAZZO_INLINE_LAMBDA {
         return choice.kind == LevelChoice::kMagnified ? sampler.mag_filter : sampler.min_filter;
     };
     for (int i = 0; i < count; ++i) {
-        const F32x16 s = load(batch.s[i]), t = load(batch.t[i]);
-        const LevelChoice choice = choices[i] =
-            choose_levels(sampler, plane_lambda(sampler, s, t), batch.masks[i], weights[i]);
+        const LevelChoice choice = choices[i] = choice_of(sampler, levels.codes + 4 * i, batch.masks[i]);
         if (choice.kind == LevelChoice::kMixed) continue;
-        locate(sampler, choice.first, filter_of(choice), masked, s, t, batch.footprints[2 * i]);
+        const F32x16 s = load(batch.s[i]), t = load(batch.t[i]);
+        locate<kKind>(sampler, choice.first, filter_of(choice), s, t, batch.footprints[2 * i]);
         if (choice.second != choice.first)
-            locate(sampler, choice.second, filter_of(choice), masked, s, t, batch.footprints[2 * i + 1]);
+            locate<kKind>(sampler, choice.second, filter_of(choice), s, t, batch.footprints[2 * i + 1]);
     }
     Batch::Words* const to = packed_texels(state, stage, batch);
     for (int i = 0; i < count; ++i) {
@@ -147,16 +189,27 @@ inline void mipmapped_stage(const FragmentState& state, const TextureStage& stag
             continue;
         }
         const Filter filter = filter_of(choice);
+        if (choice.second == choice.first) {
+            for (int p = 0; p < kParts; ++p)
+                store_texels(join_texels(fetch<kKind>(batch.footprints[2 * i], filter, p)), p, to[i]);
+            continue;
+        }
+        alignas(64) uint32_t weights[kTilePixels];
+        spread_quads(levels.weights + 4 * i, weights);
         for (int p = 0; p < kParts; ++p) {
-            NativeTexels texels = fetch(batch.footprints[2 * i], filter, p);
-            if (choice.second != choice.first) {
-                const auto* const weight = reinterpret_cast<const int32_t*>(weights[i]) + p * kNativeLanes;
-                texels = lerp_texels(texels, fetch(batch.footprints[2 * i + 1], filter, p),
-                                     twice_a_lane(hn::Load(TagI(), weight)));
-            }
-            store_texels(join_texels(texels), p, to[i]);
+            const auto weight =
+                hn::Load(TagI(), reinterpret_cast<const int32_t*>(weights) + p * kNativeLanes);
+            const NativeTexels first = fetch<kKind>(batch.footprints[2 * i], filter, p),
+                               second = fetch<kKind>(batch.footprints[2 * i + 1], filter, p);
+            store_texels(join_texels(lerp_texels(first, second, twice_a_lane(weight))), p, to[i]);
         }
     }
+}
+
+inline UnitStage choose_mipmapped_stage(const Sampler& sampler) {
+    if (sampler.min_filter != Filter::kLinear || sampler.mag_filter != Filter::kLinear)
+        return mipmapped_stage<MipKind::kAny>;
+    return is_masked(sampler) ? mipmapped_stage<MipKind::kMaskedLinear> : mipmapped_stage<MipKind::kLinear>;
 }
 
 // Whether a texture's filtered texels have eight bits a channel.
@@ -166,7 +219,7 @@ TERRAZZO_INLINE bool has_packed_texels(const Sampler& sampler) {
 
 TERRAZZO_INLINE UnitStage choose_sample_stage(const Sampler& sampler) {
     if (!has_packed_texels(sampler) || sampler.faces || sampler.dimensions > 2) return general_sample_stage;
-    if (!filters_agree(sampler)) return mipmapped_stage;
+    if (!filters_agree(sampler)) return choose_mipmapped_stage(sampler);
     if (sampler.mag_filter == Filter::kNearest) return nearest_stage;
     return is_masked(sampler) ? linear_stage<true> : linear_stage<false>;
 }
