@@ -57,18 +57,16 @@ class Interpolator {
     TERRAZZO_INLINE void move_to(int x, int y) {
         m_column = x / kTileSize;
         m_row = y / kTileSize;
-        m_x = to_float(lane_x() + I32x16(x));
-        m_y = to_float(lane_y() + I32x16(y));
+        set_first(static_cast<float>(x), static_cast<float>(y));
     }
     // From a tile's corners to other places within its pixels.
     TERRAZZO_INLINE Interpolator at_offset(float x, float y) const {
         Interpolator moved = *this;
-        moved.m_x = m_x + F32x16(x);
-        moved.m_y = m_y + F32x16(y);
+        moved.set_first(m_first_x + x, m_first_y + y);
         return moved;
     }
     TERRAZZO_INLINE F32x16 plane(int index) const {
-        if (m_steep) return steep_plane(index);
+        if (m_steep) return steep_plane(m_a0[index], m_dadx[index], m_dady[index], m_first_x, m_first_y);
         return F32x16(m_a0[index]) + F32x16(m_dadx[index]) * m_x + F32x16(m_dady[index]) * m_y;
     }
     TERRAZZO_INLINE F32x16 depth() const { return exact(0); }
@@ -93,10 +91,24 @@ class Interpolator {
         return exact_plane(m_a0[index], m_dadx[index], m_dady[index], m_x, m_y);
     }
 
-    TERRAZZO_NOINLINE F32x16 steep_plane(int index) const { return exact(index); }
+    // Takes numbers, not the object, which stays in registers that way.
+    static TERRAZZO_NOINLINE F32x16 steep_plane(float a0, float dadx, float dady, float x, float y) {
+        return exact_plane(a0, dadx, dady, load(kLaneX) + F32x16(x), load(kLaneY) + F32x16(y));
+    }
+
+    // Exact: coordinates are below 2^15, in steps of an eighth.
+    TERRAZZO_INLINE void set_first(float x, float y) {
+        m_first_x = x, m_first_y = y;
+        m_x = load(kLaneX) + F32x16(x);
+        m_y = load(kLaneY) + F32x16(y);
+    }
+
+    alignas(64) static constexpr float kLaneX[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    alignas(64) static constexpr float kLaneY[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
     bool m_steep;
     int m_column = 0, m_row = 0;  // of the tile in the target
+    float m_first_x = 0, m_first_y = 0;
     const float *m_a0, *m_dadx, *m_dady;
     F32x16 m_x, m_y;
 };

@@ -41,15 +41,29 @@ TERRAZZO_INLINE Color color_of_texel(const FragmentState& state, const TextureSt
     return {load(channels), load(channels + 16), load(channels + 32), load(channels + 48)};
 }
 
-TERRAZZO_INLINE Color modulate_all(const FragmentState& state, Batch& batch, int entry, Color c) {
-    for (int u = 0; u < state.texture_count; ++u) {
-        const TextureStage& stage = state.textures[u];
-        const auto* const texels = reinterpret_cast<const uint32_t*>(texels_of(state, stage, batch, entry));
-        const Color t = color_of_packed(load(texels) | missing_channels(stage.base_format));
-        c = {c.r * t.r, c.g * t.g, c.b * t.b, c.a * t.a};
+// The texels of units that all modulate, looked up once a batch.
+class ModulatingUnits {
+  public:
+    TERRAZZO_INLINE ModulatingUnits(const FragmentState& state, Batch& batch) : m_count(state.texture_count) {
+        for (int u = 0; u < m_count; ++u) {
+            const TextureStage& stage = state.textures[u];
+            m_texels[u] = reinterpret_cast<const Batch::Words*>(texels_of(state, stage, batch, 0));
+            store(missing_channels(stage.base_format), m_missing[u]);
+        }
     }
-    return c;
-}
+    TERRAZZO_INLINE Color apply(int entry, Color c) const {
+        for (int u = 0; u < m_count; ++u) {
+            const Color t = color_of_packed(load(m_texels[u][entry]) | load(m_missing[u]));
+            c = {c.r * t.r, c.g * t.g, c.b * t.b, c.a * t.a};
+        }
+        return c;
+    }
+
+  private:
+    int m_count;
+    const Batch::Words* m_texels[kMaxTextureUnits];
+    alignas(64) uint32_t m_missing[kMaxTextureUnits][kTilePixels];
+};
 
 TERRAZZO_INLINE Color apply_environments(const FragmentState& state, Batch& batch, int entry, Color c) {
     for (int u = 0; u < state.texture_count; ++u) {
@@ -67,19 +81,29 @@ TERRAZZO_INLINE Color combine_all(Combiner& combiner, const FragmentState& state
     }
     return combiner.run(state, primary);
 }
-struct NoCombiner {};
 
-// `kPlain`: no flat colours, no secondary colour and no fog.
+// Alphas are tested as they are unless the buffer has eight bits of them.
+TERRAZZO_INLINE bool tests_float_alpha(const FragmentKey& k) {
+    return k.alpha_func != Compare::kAlways && k.color_format == ColorFormat::kRgb565;
+}
+
+struct Nothing {
+    TERRAZZO_INLINE Nothing() = default;
+    TERRAZZO_INLINE Nothing(const FragmentState&, Batch&) {}
+};
+
+// `kPlain`: no flat colours, no secondary colour, no fog, and nothing but packed bytes is handed on.
 template <bool kInterpolated, Environments kEnvironments, bool kPlain>
 void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     const FragmentKey& k = state.key;
     const Color constant = uniform_color(state.constant_color);
     const Varyings v = state.varyings;
     const bool perspective = k.perspective, has_w = state.texture_count != 0, flat = !kPlain && k.flat_color;
-    std::conditional_t<kEnvironments == Environments::kCombine, Combiner, NoCombiner> combiner;
-    const bool is_wide = has_wide_channels(k.color_format);
-    // Tested against alpha as it is unless the buffer has eight bits of it.
-    const bool keeps_alpha = k.alpha_func != Compare::kAlways && k.color_format == ColorFormat::kRgb565;
+    [[maybe_unused]] std::conditional_t<kEnvironments == Environments::kCombine, Combiner, Nothing> combiner;
+    const std::conditional_t<kEnvironments == Environments::kModulate, ModulatingUnits, Nothing> modulating(
+        state, batch);
+    const bool is_wide = !kPlain && has_wide_channels(k.color_format),
+               keeps_alpha = !kPlain && tests_float_alpha(k);
     for (int i = 0; i < batch.count; ++i) {
         [[maybe_unused]] Interpolator at = planes_of(batch, bin, i);
         Color c = constant;
@@ -88,7 +112,7 @@ void color_stage(const FragmentState& state, Bin& bin, Batch& batch) {
             if (perspective) w = has_w ? load(batch.w[i]) : at.w();
         }
         if constexpr (kInterpolated) c = varying_color(at, v.color, flat, w);
-        if constexpr (kEnvironments == Environments::kModulate) c = modulate_all(state, batch, i, c);
+        if constexpr (kEnvironments == Environments::kModulate) c = modulating.apply(i, c);
         if constexpr (kEnvironments == Environments::kGeneral) c = apply_environments(state, batch, i, c);
         if constexpr (kEnvironments == Environments::kCombine) c = combine_all(combiner, state, batch, i, c);
         if constexpr (!kPlain) {
@@ -125,7 +149,8 @@ inline Environments environments_of(const FragmentState& state) {
 template <bool kInterpolated>
 TERRAZZO_INLINE Stage choose_color_stage(const FragmentState& state) {
     const FragmentKey& k = state.key;
-    const bool plain = !k.flat_color && !k.separate_specular && k.fog == FogMode::kNone;
+    const bool plain = !k.flat_color && !k.separate_specular && k.fog == FogMode::kNone &&
+                       !has_wide_channels(k.color_format) && !tests_float_alpha(k);
     switch (environments_of(state)) {
         case Environments::kNone:
             return plain ? color_stage<kInterpolated, Environments::kNone, true>

@@ -14,8 +14,7 @@ TERRAZZO_INLINE Interpolator planes_of(const Batch& batch, const Bin& bin, int e
     Interpolator at(primitive, primitive.steep);
     const int tile = batch.tiles[entry];
     at.move_to(bin.x + tile % kTilesAcross * kTileSize, bin.y + tile / kTilesAcross * kTileSize);
-    if (batch.to_centre != 0) return at.at_offset(batch.to_centre, batch.to_centre);
-    return at;
+    return at.at_offset(batch.to_centre, batch.to_centre);
 }
 
 // Whether a buffer's channels have more than eight bits.
