@@ -48,7 +48,7 @@ struct TileData {
     }
 };
 
-enum class RectangleData : uint32_t {
+enum class RectangleData : uint8_t {
     kNone,
     kMasks,   // 16 bits a tile: the pixels that there are
     kPixels,  // what FragmentKey::image says
@@ -63,6 +63,7 @@ struct Primitive {
     bool steep;  // planes so steep that their rounding shows: interpolated as exactly as the reference does
     float depth_offset;  // added to z of each fragment where the key says so
     RectangleData data;  // other than kNone only where edge_count is 0
+    bool is_cut;         // the rectangle may leave out pixels that the edges enclose
     union {
         Edge edges[4];
         TileData tile_data;

@@ -561,7 +561,16 @@ TERRAZZO_INLINE bool any(Mask16 mask) {
 }
 // Bit i is set where lane i is negative.
 TERRAZZO_INLINE uint32_t sign_bits(I32x16 v) {
+#if defined(TERRAZZO_X86) && HWY_TARGET > HWY_AVX3
+    // Their instruction looks at the sign alone: nothing needs to be compared.
+    uint32_t bits = 0;
+    TERRAZZO_FOR_PARTS bits |=
+        static_cast<uint32_t>(TERRAZZO_X86(movemask_ps)(hn::BitCast(TagF(), v.part[p]).raw))
+        << (p * kNativeLanes);
+    return bits;
+#else
     return bits_of(v < I32x16(0));
+#endif
 }
 
 TERRAZZO_INLINE int32_t largest_lane(I32x16 v) {

@@ -224,6 +224,7 @@ struct Scene {
         p.state = &state;
         p.plane_count = static_cast<std::uint8_t>(2 + state.varyings.count);
         p.back_facing = random.coin();
+        p.is_cut = true;
         p.steep = random.once_in(4);
         p.depth_offset = random.between(-0.1f, 0.1f);
         // Of three rectangles one cuts the bin.

@@ -80,6 +80,7 @@ void Renderer::add(const RasterState& raster, const std::shared_ptr<const Fragme
     p->edge_count = 0;
     p->plane_count = static_cast<uint8_t>(plane_count);
     p->back_facing = p->steep = false;
+    p->is_cut = true;
     p->depth_offset = 0;
     p->data = rect.data;
     p->tile_data = rect.tile_data;

@@ -85,21 +85,23 @@ TERRAZZO_INLINE uint32_t spread_rows(uint32_t rows) {
 // The tiles of a bin that a primitive's rectangle touches, and the pixels of it in the outer ones.
 struct TileRect {
     int first_column, last_column, first_row, last_row;
-    uint32_t columns;        // one bit each
-    uint32_t whole_columns;  // of which all pixels are inside
-    uint32_t left, right;    // pixels of a tile in the first and the last column
-    int y0, y1;
+    int x0, x1, y0, y1;
 
-    TERRAZZO_INLINE TileRect(int x0, int x1, int first_y, int last_y) : y0(first_y), y1(last_y) {
-        first_column = x0 >> 2, last_column = (x1 - 1) >> 2;
-        first_row = y0 >> 2, last_row = (y1 - 1) >> 2;
-        columns = (2u << last_column) - (1u << first_column);
-        left = span_bits(first_column * 4, x0, x1) * 0x1111u;
-        right = span_bits(last_column * 4, x0, x1) * 0x1111u;
-        whole_columns = columns;
-        if (left != 0xffff) whole_columns &= ~(1u << first_column);
-        if (right != 0xffff) whole_columns &= ~(1u << last_column);
-    }
+    TERRAZZO_INLINE TileRect(int first_x, int end_x, int first_y, int end_y)
+        : first_column(first_x >> 2),
+          last_column((end_x - 1) >> 2),
+          first_row(first_y >> 2),
+          last_row((end_y - 1) >> 2),
+          x0(first_x),
+          x1(end_x),
+          y0(first_y),
+          y1(end_y) {}
+
+    // One bit a column of tiles.
+    TERRAZZO_INLINE uint32_t columns() const { return (2u << last_column) - (1u << first_column); }
+    // Pixels of a tile in the first and the last column.
+    TERRAZZO_INLINE uint32_t left() const { return span_bits(first_column * 4, x0, x1) * 0x1111u; }
+    TERRAZZO_INLINE uint32_t right() const { return span_bits(last_column * 4, x0, x1) * 0x1111u; }
     TERRAZZO_INLINE uint32_t pixels_of_row(int row) const {
         return row == first_row || row == last_row ? spread_rows(span_bits(row * 4, y0, y1)) : 0xffffu;
     }
@@ -112,45 +114,65 @@ TERRAZZO_INLINE I32x16 pixel_steps(const Edge& edge) {
     return lane_x() * I32x16(edge.step_x) + lane_y() * I32x16(edge.step_y);
 }
 
-// Up to two by two tiles, or three in a line: their pixels are tested at once.
-inline constexpr int kFewTiles = 2;
+// Boxes of up to four by four tiles are tested at once, one lane a tile.
+inline constexpr int kBoxTiles = 4;
 // What a few more are spared by bounds is less than the bounds cost.
 inline constexpr int kTilesWithoutBounds = 8;
+
+// The pixels of a box's tiles that its rectangle leaves in, a word a tile.
+TERRAZZO_NOINLINE void limit_tiles(const TileRect& rect, uint32_t (&inside)[kTilePixels]) {
+    const auto outside_where = [](Mask16 tiles, uint32_t pixels) {
+        return select(tiles, I32x16(static_cast<int32_t>(~pixels)), I32x16(0));
+    };
+    const I32x16 x = lane_x(), y = lane_y();
+    const I32x16 columns = outside_where(x == I32x16(0), rect.left()) |
+                           outside_where(x == I32x16(rect.last_column - rect.first_column), rect.right());
+    const I32x16 rows =
+        outside_where(y == I32x16(0), rect.pixels_of_row(rect.first_row)) |
+        outside_where(y == I32x16(rect.last_row - rect.first_row), rect.pixels_of_row(rect.last_row));
+    store((columns | rows) ^ I32x16(-1), inside);
+}
+
 template <int kEdges, int kSamples>
-TERRAZZO_INLINE void cover_few_tiles(const Primitive& primitive, const Bin& bin, const TileRect& rect,
-                                     CoveredTiles<kSamples>& list) {
+TERRAZZO_INLINE void cover_box(const Primitive& primitive, const Bin& bin, const TileRect& rect,
+                               CoveredTiles<kSamples>& list) {
     const int x = bin.x + rect.first_column * kTileSize, y = bin.y + rect.first_row * kTileSize;
     [[maybe_unused]] const bool multisample = kSamples > 1 && primitive.state->multisample;
-    int32_t first[kEdges][kSamples];
+    alignas(64)
+        int32_t at_tile[kEdges][kTilePixels];  // values of the tiles' first pixels, at the first sample
+    int32_t to_sample[kEdges][kSamples];
     I32x16 in_tile[kEdges];
+    I32x16 rejects(0);
     for (int e = 0; e < kEdges; ++e) {
-        for (int s = 0; s < kSamples; ++s)
-            first[e][s] = edge_at_sample<kSamples>(primitive.edges[e], multisample, s, x, y);
+        const BinEdge<kSamples> edge = edge_in_bin<kSamples>(primitive.edges[e], multisample, x, y);
+        for (int s = 0; s < kSamples; ++s) to_sample[e][s] = edge.at_row[s] - edge.at_row[0];
         in_tile[e] = pixel_steps(primitive.edges[e]);
+        const I32x16 value = shift_left<2>(in_tile[e]) + I32x16(edge.at_row[0]);
+        store(value, at_tile[e]);
+        rejects = rejects | (value + I32x16(edge.best));
     }
-    for (int row = rect.first_row; row <= rect.last_row; ++row) {
-        const uint32_t rows = rect.pixels_of_row(row);
-        for (int column = rect.first_column; column <= rect.last_column; ++column) {
-            uint32_t inside = rows;
-            if (column == rect.first_column) inside &= rect.left;
-            if (column == rect.last_column) inside &= rect.right;
-            uint32_t any = 0;
-            auto& entry = list.entries[list.count];
-            entry.tile = static_cast<uint16_t>(row * kTilesAcross + column);
-            for (int s = 0; s < kSamples; ++s) {
-                I32x16 outside(0);
-                for (int e = 0; e < kEdges; ++e) {
-                    const Edge& edge = primitive.edges[e];
-                    const int32_t steps = kTileSize * ((column - rect.first_column) * edge.step_x +
-                                                       (row - rect.first_row) * edge.step_y);
-                    outside = outside | (in_tile[e] + I32x16(first[e][s] + steps));
-                }
-                const uint32_t mask = inside & ~sign_bits(outside);
-                entry.masks[s] = static_cast<uint16_t>(mask);
-                any |= mask;
-            }
-            list.count += any != 0;
+    alignas(64) uint32_t limits[kTilePixels];
+    if (primitive.is_cut) limit_tiles(rect, limits);
+    const uint32_t row = (2u << (rect.last_column - rect.first_column)) - 1,
+                   rows = (2u << 4 * (rect.last_row - rect.first_row)) - 1;
+    uint32_t touched = row * (0x1111u & rows) & ~sign_bits(rejects);
+    const int first = rect.first_row * kTilesAcross + rect.first_column;
+    while (touched != 0) {
+        const int tile = std::countr_zero(touched);
+        touched &= touched - 1;
+        auto& entry = list.entries[list.count];
+        entry.tile = static_cast<uint16_t>(first + tile / kBoxTiles * kTilesAcross + tile % kBoxTiles);
+        const uint32_t limit = primitive.is_cut ? limits[tile] : 0xffff;
+        uint32_t any = 0;
+        for (int s = 0; s < kSamples; ++s) {
+            I32x16 outside(0);
+            for (int e = 0; e < kEdges; ++e)
+                outside = outside | (in_tile[e] + I32x16(at_tile[e][tile] + to_sample[e][s]));
+            const uint32_t mask = limit & ~sign_bits(outside);
+            entry.masks[s] = static_cast<uint16_t>(mask);
+            any |= mask;
         }
+        list.count += any != 0;
     }
 }
 
@@ -175,9 +197,14 @@ TERRAZZO_INLINE bool cover_rows(const Primitive& primitive, const Bin& bin, cons
         in_tile[e] = pixel_steps(primitive.edges[e]);
     }
 
+    const uint32_t columns = rect.columns(), left = rect.left(), right = rect.right();
+    uint32_t whole_columns = columns;
+    if (left != 0xffff) whole_columns &= ~(1u << rect.first_column);
+    if (right != 0xffff) whole_columns &= ~(1u << rect.last_column);
+
     uint32_t any_hidden = 0;
     for (int row = rect.first_row; row <= rect.last_row; ++row) {
-        uint32_t touched = rect.columns, partial = 0;
+        uint32_t touched = columns, partial = 0;
         if constexpr (kEdges != 0) {
             I32x16 rejects(0), accepts(0);
             for (int e = 0; e < kEdges; ++e) {
@@ -190,15 +217,15 @@ TERRAZZO_INLINE bool cover_rows(const Primitive& primitive, const Bin& bin, cons
         }
         const uint32_t rows = rect.pixels_of_row(row);
         const uint32_t hidden =
-            touched & depths.hidden_tiles(row, rows == 0xffff ? touched & ~partial & rect.whole_columns : 0);
+            touched & depths.hidden_tiles(row, rows == 0xffff ? touched & ~partial & whole_columns : 0);
         any_hidden |= hidden;
         touched ^= hidden;
         while (touched != 0) {
             const int column = std::countr_zero(touched);
             touched &= touched - 1;
             uint32_t mask = rows;
-            if (column == rect.first_column) mask &= rect.left;
-            if (column == rect.last_column) mask &= rect.right;
+            if (column == rect.first_column) mask &= left;
+            if (column == rect.last_column) mask &= right;
             auto& entry = list.entries[list.count];
             entry.tile = static_cast<uint16_t>(row * kTilesAcross + column);
             uint32_t any = 0;
@@ -237,7 +264,8 @@ TERRAZZO_INLINE void cover_bin(const Primitive& primitive, Bin& bin, CoveredTile
     const FragmentKey& key = primitive.state->key;
     if (raises_depth(key)) forget_bounds(bin, rect.first_row, rect.last_row);
     if constexpr (kEdges != 0) {
-        if (rect.extent() <= kFewTiles) return cover_few_tiles<kEdges>(primitive, bin, rect, list);
+        if (rect.last_column - rect.first_column < kBoxTiles && rect.last_row - rect.first_row < kBoxTiles)
+            return cover_box<kEdges>(primitive, bin, rect, list);
     }
     if (rect.extent() <= kTilesWithoutBounds || !discards_hidden(key)) {
         NoBlockDepths none;

@@ -70,6 +70,7 @@ Primitive* PrimitiveSetup::new_primitive(const raster::FragmentState& state, con
     p->plane_count = static_cast<uint8_t>(plane_count);
     p->back_facing = m_back_facing;
     p->steep = false;
+    p->is_cut = true;
     p->depth_offset = 0;
     p->data = raster::RectangleData::kNone;
     return p;

@@ -108,8 +108,13 @@ struct SnappedTriangles {
     alignas(64) float offset[16];
 };
 
+// What is known of one triangle beyond its numbers.
+struct LaneFacts {
+    bool back_facing, steep, is_cut;
+};
+
 TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTriangles& t,
-                                     const PlaneArrays& planes, int lane, bool back_facing, bool steep,
+                                     const PlaneArrays& planes, int lane, LaneFacts facts,
                                      PrimitiveSink& sink) {
     const int plane_count = 2 + setup.state->varyings.count;
     Primitive* const primitive = sink.allocate(sink, plane_count);
@@ -121,8 +126,9 @@ TERRAZZO_INLINE void write_primitive(const TriangleSetup& setup, const SnappedTr
     primitive->y1 = static_cast<int16_t>(t.y1[lane]);
     primitive->edge_count = 3;
     primitive->plane_count = static_cast<uint8_t>(plane_count);
-    primitive->back_facing = back_facing;
-    primitive->steep = steep;
+    primitive->back_facing = facts.back_facing;
+    primitive->steep = facts.steep;
+    primitive->is_cut = facts.is_cut;
     primitive->data = raster::RectangleData::kNone;
     primitive->depth_offset = t.offset[lane];
     for (int e = 0; e < 3; ++e) {
@@ -190,10 +196,13 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
     const auto high = [](I32x16 a, I32x16 b, I32x16 c) { return max(max(a, b), c); };
     // A pixel centre on the box's inclusive edge counts: left, and lower in GL's orientation.
     const I32x16 up(setup.row0_is_top ? 1 : 0), down(setup.row0_is_top ? 0 : 1);
-    const I32x16 box_x0 = max(shift_right<8>(low(x0, x1, x2)), I32x16(setup.x0));
-    const I32x16 box_y0 = max(shift_right<8>(low(y0, y1, y2) + up), I32x16(setup.y0));
-    const I32x16 box_x1 = min(shift_right<8>(high(x0, x1, x2) - I32x16(1)) + I32x16(1), I32x16(setup.x1));
-    const I32x16 box_y1 = min(shift_right<8>(high(y0, y1, y2) - down) + I32x16(1), I32x16(setup.y1));
+    const I32x16 whole_x0 = shift_right<8>(low(x0, x1, x2)), whole_y0 = shift_right<8>(low(y0, y1, y2) + up);
+    const I32x16 whole_x1 = shift_right<8>(high(x0, x1, x2) - I32x16(1)) + I32x16(1),
+                 whole_y1 = shift_right<8>(high(y0, y1, y2) - down) + I32x16(1);
+    const I32x16 box_x0 = max(whole_x0, I32x16(setup.x0)), box_y0 = max(whole_y0, I32x16(setup.y0));
+    const I32x16 box_x1 = min(whole_x1, I32x16(setup.x1)), box_y1 = min(whole_y1, I32x16(setup.y1));
+    const uint32_t cut_bits =
+        ~bits_of((box_x0 == whole_x0) & (box_y0 == whole_y0) & (box_x1 == whole_x1) & (box_y1 == whole_y1));
     alive &= bits_of((box_x0 < box_x1) & (box_y0 < box_y1));
     if (alive == 0) return;
     store(box_x0, t.x0), store(box_y0, t.y0), store(box_x1, t.x1), store(box_y1, t.y1);
@@ -224,7 +233,9 @@ inline void setup_triangles(const TriangleSetup& setup, const ShadedVertices& ve
     while (alive != 0) {
         const int lane = std::countr_zero(alive);
         alive &= alive - 1;
-        write_primitive(setup, t, planes, lane, back_bits >> lane & 1, steep_bits >> lane & 1, sink);
+        const LaneFacts facts{(back_bits >> lane & 1) != 0, (steep_bits >> lane & 1) != 0,
+                              (cut_bits >> lane & 1) != 0};
+        write_primitive(setup, t, planes, lane, facts, sink);
     }
 }
 
