@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""doc/walk.md tells the truth: its files are there, and each name it mentions is in the files of its section.
+"""doc/walk*.md tell the truth: their files are there, and each name it mentions is in the files of its section.
 
 usage: walk_test.py SOURCE_ROOT BUILD_ROOT
 A section is headed "## 3. `src/gl/draw.cpp`". In its text `name(...)`, `name()` or `Class::name()` is a function,
@@ -26,12 +26,14 @@ def find(path):
     return None
 
 
-class Walk(unittest.TestCase):
+class Walk:
+    """One page; a subclass a page says which."""
+    name = ""
+
     def setUp(self):
-        text = (SOURCE / "doc/walk.md").read_text()
+        text = (SOURCE / "doc" / self.name).read_text()
         headings = list(HEADING.finditer(text))
         ends = [h.start() for h in headings[1:]] + [len(text)]
-        self.intro = text[:headings[0].start()]
         self.sections = [(h.group(1), h.group(2), text[h.end():end]) for h, end in zip(headings, ends)]
 
     def test_length_of_the_walk(self):
@@ -65,5 +67,10 @@ class Walk(unittest.TestCase):
                     self.assertTrue(re.search(pattern, code), f"not in the section's files: {span}")
             self.assertGreater(functions, 0, f"section {number} names no function")
 
+
+PAGES = sorted(path.name for path in (SOURCE / "doc").glob("walk*.md"))
+assert len(PAGES) == 3, PAGES
+for page in PAGES:
+    globals()[page] = type(page, (Walk, unittest.TestCase), {"name": page})
 
 unittest.main(argv=sys.argv[:1])
