@@ -66,7 +66,7 @@ std::unique_ptr<raster::Target> copy_of_colors(raster::Target& from) {
     const auto bytes = static_cast<size_t>(raster::kBinPixels) *
                        static_cast<size_t>(raster::bytes_per_pixel(format.color)) * format.samples;
     for (int i = 0; i < from.bin_count(); ++i) {
-        from.materialize(i);
+        from.materialize_to_read(i);
         out->materialize(i);
         const raster::Bin source = from.bin(i), copy = out->bin(i);
         std::memcpy(copy.color, source.color, bytes);

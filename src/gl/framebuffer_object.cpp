@@ -9,6 +9,7 @@
 #include "gl/pixel_convert.h"
 #include "gl/share.h"
 #include "gl/texel_row.h"
+#include "pipeline/schedule/workers.h"
 #include "raster/target/read_row.h"
 #include "raster/target/write_row.h"
 
@@ -96,10 +97,19 @@ void for_each_run(const Target& target, const Attachment& a, const raster::Textu
                 TexelPosition{x - image.border_x, y - image.border_y, a.layer - image.border_z});
 }
 
+// Whether textures may be sampled in the planes of the attachment, tiles and all.
+bool shows_tiles(const Attachment& a, AttachmentPoint point, const Target& planes) {
+    if (point != kDepthAttachment) return false;
+    const TextureLevel& level = level_of(a);
+    return level.border == 0 && level.format->bits[0] == planes.format().depth_bits;
+}
+
 void load(const Attachment& a, AttachmentPoint point, Target& planes) {
     const TextureLevel& level = level_of(a);
     const TexelFormat& format = *level.format;
     const raster::TextureImage& image = *level.image;
+    if (image.tiles() && shows_tiles(a, point, planes)) return planes.start_from_depths(image.tiles());
+    if (point == kDepthAttachment) planes.let_go_of_texture();
     for_each_run(planes, a, image, [&](int x, int y, int count, const TexelPosition& at) {
         if (point == kStencilAttachment) {
             uint8_t stencils[kPixelChunk] = {};
@@ -108,9 +118,9 @@ void load(const Attachment& a, AttachmentPoint point, Target& planes) {
         }
         if (point == kDepthAttachment) {
             uint32_t depths[kPixelChunk];
+            const uint32_t* const texels = image.depths(at.x, at.y);
             const auto bits = static_cast<unsigned>(planes.format().depth_bits);
-            for (int i = 0; i < count; ++i)
-                depths[i] = resize_depth(image.depths(at.x, at.y)[i], format.bits[0], bits);
+            for (int i = 0; i < count; ++i) depths[i] = resize_depth(texels[i], format.bits[0], bits);
             return raster::write_depth(planes, x, y, count, depths);
         }
         if (format.storage == raster::TexelStorage::kRgba8)
@@ -144,8 +154,34 @@ void store(const Attachment& a, AttachmentPoint point, Target& planes, raster::T
     });
 }
 
+// Few bins are done sooner than a thread wakes up.
+constexpr int kFewBins = 16;
+template <typename Work>
+void for_each_row_of_bins(const Target& target, int busy_bins, Work work) {
+    if (busy_bins > kFewBins)
+        return pipeline::run_parallel(target.bins_up(), [&](int row, int) { work(row); });
+    for (int row = 0; row < target.bins_up(); ++row) work(row);
+}
+
+// Whoever uses the planes next knows nothing of what is still to be cleared.
+void settle(Target& target) {
+    for_each_row_of_bins(target, target.bins_to_fill(), [&](int row) { target.settle_row(row); });
+}
+
+void keep_depths(Target& planes) {
+    for_each_row_of_bins(planes, planes.depths_to_copy(), [&](int row) { planes.keep_depths_of_row(row); });
+    planes.let_go_of_texture();
+}
+
+// Memory for drawing to go on in once a texture has the planes' own: null where the texture's will do, which
+// nobody samples any more. Throws std::bad_alloc.
+std::shared_ptr<raster::PlanePixels> memory_to_go_on(const raster::LevelImage& image, const Target& planes) {
+    const bool is_free = !image.in_use() && image->tiles() && raster::is_sole_owner(image->tiles());
+    return is_free ? nullptr : planes.new_depths();
+}
+
 // The planes that an attachment is drawn to, loaded from the texture's image where that is a new one.
-std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point) {
+std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point, bool& loaded) {
     if (a.renderbuffer) return a.renderbuffer->planes;
     if (!a.texture) return nullptr;
     const TextureLevel& level = level_of(a);
@@ -159,6 +195,7 @@ std::shared_ptr<Target> current_planes(Attachment& a, AttachmentPoint point) {
     }
     if (a.content != level.image->content()) {
         load(a, point, *a.planes);
+        loaded = true;
         a.content = level.image->content();
     }
     return a.planes;
@@ -172,10 +209,11 @@ bool compose_complete(Context& ctx, Framebuffer& framebuffer) {
     std::array<std::shared_ptr<Target>, kAttachmentCount> planes;
     raster::TargetFormat format = no_planes(true);
     int width = kMaxRenderbufferSize, height = kMaxRenderbufferSize;  // what all of them have
-    bool any = false;
+    bool any = false, loaded = false;
     for (int point = 0; point < kAttachmentCount; ++point) {
         const auto index = static_cast<std::size_t>(point);
-        planes[index] = current_planes(framebuffer.attachments[index], static_cast<AttachmentPoint>(point));
+        planes[index] =
+            current_planes(framebuffer.attachments[index], static_cast<AttachmentPoint>(point), loaded);
         if (!planes[index]) continue;
         any = true;
         width = std::min(width, planes[index]->width());
@@ -187,6 +225,7 @@ bool compose_complete(Context& ctx, Framebuffer& framebuffer) {
         if (point == kStencilAttachment) format.stencil_bits = own.stencil_bits;
     }
     if (any) framebuffer.compose(width, height, format, planes);
+    if (any && loaded) framebuffer.target()->forget_bounds();
     return true;
 }
 
@@ -213,16 +252,30 @@ void store_textures(Context& ctx, Framebuffer& framebuffer) {
         }
     } const contents{framebuffer, stored};
     std::array<raster::TextureImage*, kAttachmentCount> images{};
+    std::array<std::shared_ptr<raster::PlanePixels>, kAttachmentCount> next;
     for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment}) {
         if (!stored[point]) continue;
         Attachment& a = framebuffer.attachments[point];
-        images[point] = a.texture->face(a.face)[static_cast<std::size_t>(a.level)].image.writable();
+        raster::LevelImage& image = a.texture->face(a.face)[static_cast<std::size_t>(a.level)].image;
+        if (shows_tiles(a, point, *a.planes)) {
+            keep_depths(*a.planes);
+            next[point] = memory_to_go_on(image, *a.planes);
+            images[point] = image.replaceable();
+        } else {
+            images[point] = point == kStencilAttachment ? image.writable_beside_texels() : image.writable();
+        }
         if (!images[point]) throw std::bad_alloc();
         if (point == kStencilAttachment) images[point]->make_stencils();
     }
     for (const AttachmentPoint point : {kColorAttachment, kDepthAttachment, kStencilAttachment}) {
         Attachment& a = framebuffer.attachments[point];
-        if (stored[point]) store(a, point, *a.planes, *images[point]);
+        if (!stored[point]) continue;
+        if (!shows_tiles(a, point, *a.planes)) {
+            store(a, point, *a.planes, *images[point]);
+            continue;
+        }
+        auto tiles = next[point] ? std::move(next[point]) : images[point]->take_tiles();
+        images[point]->show_tiles(a.planes->exchange_depths(std::move(tiles)));
     }
     ctx.dirty |= static_cast<unsigned>(Dirty::kTexture);
 }
@@ -308,7 +361,7 @@ void settle_framebuffers(Context& ctx) {
     Framebuffer* const framebuffer = ctx.framebuffers.draw.get();
     if (!framebuffer || !framebuffer->target() || ctx.renderer.target() != framebuffer->target()) return;
     finish_drawing(ctx);
-    framebuffer->target()->settle();
+    settle(*framebuffer->target());
     if (ctx.surface.drawn || framebuffer->flushed) store_textures(ctx, *framebuffer);
     ctx.surface.drawn = framebuffer->flushed = false;
 }

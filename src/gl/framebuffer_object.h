@@ -1,10 +1,11 @@
 // Frame buffer objects and renderbuffers (ARB_framebuffer_object, EXT_framebuffer_object).
 //
 // Renderbuffers are shared between contexts, frame buffer objects are not. A frame buffer object is a
-// drawable whose target has the planes of its attachments. Textures keep images of rows: while one is
-// attached to the object that is bound, its pixels are in planes of the attachment's own, loaded from the
-// image before the first draw and stored there when the object is left (settle_framebuffers). Like images,
-// and unlike windows, objects have their bottom row first.
+// drawable whose target has the planes of its attachments. While a texture is attached to the object that is
+// bound, its pixels are in planes of the attachment's own, which begin as the texture's image before the
+// first draw. When the object is left (settle_framebuffers) they are stored in the image's rows; depths are
+// not copied: the image gets the planes' memory, and the planes go on in other. Like images, and unlike
+// windows, objects have their bottom row first.
 #pragma once
 
 #include <GL/gl.h>

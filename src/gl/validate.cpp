@@ -194,6 +194,17 @@ float quantized_bias(GLfloat bias) {
     return std::round(std::clamp(bias, -kMaxTextureLodBias, kMaxTextureLodBias) * 256) / 256;
 }
 
+raster::MipLevel mip_level(const raster::TextureImage& image) {
+    raster::MipLevel level{nullptr, image.width, image.height, image.pitch, image.depth, image.slice()};
+    if (image.tiles()) {
+        level.texels = image.tiles()->bin(0);
+        level.bins_across = (image.width + raster::kBinSize - 1) / raster::kBinSize;
+    } else {
+        level.texels = image.first_texel();
+    }
+    return level;
+}
+
 raster::Sampler make_sampler(const TextureUnit& unit_state, const TextureObject& object, int face,
                              const TextureCompleteness& levels,
                              std::vector<std::shared_ptr<const void>>& images) {
@@ -221,8 +232,7 @@ raster::Sampler make_sampler(const TextureUnit& unit_state, const TextureObject&
     sampler.level_count = static_cast<std::uint8_t>(levels.last - levels.base + 1);
     for (int level = levels.base; level <= levels.last; ++level) {
         const auto& image = object.face(face)[static_cast<std::size_t>(level)].image;
-        sampler.levels[static_cast<std::size_t>(level - levels.base)] = {
-            image->first_texel(), image->width, image->height, image->pitch, image->depth, image->slice()};
+        sampler.levels[static_cast<std::size_t>(level - levels.base)] = mip_level(*image);
         images.push_back(image.shared());
     }
     const TextureLevel& base = object.face(face)[static_cast<std::size_t>(levels.base)];

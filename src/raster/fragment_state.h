@@ -111,12 +111,15 @@ enum class Filter : uint8_t { kNearest, kLinear };
 enum class MipFilter : uint8_t { kNone, kNearest, kLinear };
 
 struct MipLevel {
-    const void* texels = nullptr;  // rows from low t to high; readable 64 bytes before and past
-    int32_t width = 0;             // texels
+    // Rows from low t to high, readable 64 bytes before and past. Depths may be in the tiles of a target's
+    // plane instead (target/target.h).
+    const void* texels = nullptr;
+    int32_t width = 0;  // texels
     int32_t height = 0;
     int32_t pitch = 0;  // texels from row to row
     int32_t depth = 1;
-    int32_t slice = 0;  // texels from one image of a 3D texture to the next
+    int32_t slice = 0;        // texels from one image of a 3D texture to the next
+    int32_t bins_across = 0;  // of tiles: how many bins a row of them has; 0 for rows
 };
 
 struct Sampler {

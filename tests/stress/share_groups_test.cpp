@@ -386,6 +386,57 @@ TEST_F(ShareGroups, TexturesGetNewImages) {
          draw(kTexture), draw(kMipmapped), query});
 }
 
+// Depths stay where they were drawn, and textures are sampled there, by whoever shares them.
+TEST_F(ShareGroups, DrawnDepthsAreSampled) {
+    constexpr GLuint kTexture = 1;
+    constexpr int kMapSize = 80;  // several bins, not all of them whole
+    const auto specify = [](Random& random) {
+        const std::vector<GLfloat> depths(kMapSize * kMapSize, random.between(0, 1));
+        glBindTexture(GL_TEXTURE_2D, kTexture);
+        if (random.coin()) {
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kMapSize, kMapSize, 0, GL_DEPTH_COMPONENT,
+                         GL_FLOAT, depths.data());
+        } else {
+            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kMapSize, kMapSize, GL_DEPTH_COMPONENT, GL_FLOAT,
+                            depths.data());
+        }
+    };
+    const auto draw_to = [](Random& random) {
+        glBindFramebuffer(GL_FRAMEBUFFER, 1);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, kTexture, 0);
+        glViewport(0, 0, kMapSize, kMapSize);
+        glClearDepth(random.between(0, 1));
+        glClear(GL_DEPTH_BUFFER_BIT);
+        if (random.coin()) {
+            glEnable(GL_DEPTH_TEST);
+            glDepthFunc(GL_ALWAYS);
+            draw_square();
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    };
+    const auto sample = [](Random& random) {
+        glEnable(GL_TEXTURE_2D);
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+        glBindTexture(GL_TEXTURE_2D, kTexture);
+        const GLint filter = random.coin() ? GL_NEAREST : GL_LINEAR;
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+        draw_square();
+        std::vector<GLubyte> pixels = read_picture();
+        for (std::size_t i = 3; i < pixels.size(); i += 4) pixels[i] = pixels[0];
+        EXPECT_TRUE(all_alike(pixels));
+    };
+    const auto query = [](Random&) {
+        std::vector<GLfloat> depths(kMapSize * kMapSize);
+        glBindTexture(GL_TEXTURE_2D, kTexture);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+        EXPECT_TRUE(all_alike(depths));
+    };
+    glBindTexture(GL_TEXTURE_2D, kTexture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kMapSize, kMapSize, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 nullptr);
+    run({specify, draw_to, draw_to, sample, sample, query});
+}
+
 // Frame buffer objects are their context's own, what is attached to them is not.
 TEST_F(ShareGroups, AttachedImagesChange) {
     constexpr GLuint kTexture = 1, kColor = 1, kDepth = 2;

@@ -216,7 +216,8 @@ void Frame::draw_bin(int index, int thread) const {
             } else {
                 const Primitive& primitive = *reinterpret_cast<const Primitive*>(command);
                 const raster::FragmentKey& key = primitive.state->key;
-                m_target->materialize(index, {true, key.depth_test, key.stencil_test});
+                m_target->materialize(index, {true, key.depth_test, key.stencil_test},
+                                      {key.color_mask != 0, key.depth_write, key.stencil_test});
                 draw(primitive, bin, batch);
             }
         }

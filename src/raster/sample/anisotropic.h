@@ -104,6 +104,7 @@ class AnyTexels {
     TERRAZZO_INLINE Row row(I32x16 index) const {
         const FloatAxis y =
             m_sampler.dimensions == 1 ? no_axis() : texel_axis(m_sampler.wrap_t, index, m_level.height);
+        if (m_sampler.storage == TexelStorage::kDepth) return {depth_row(m_level, y.first), y.first_inside};
         return {y.first * I32x16(m_level.pitch) + m_slice.first * I32x16(m_level.slice),
                 y.first_inside & m_slice.first_inside};
     }
@@ -112,7 +113,8 @@ class AnyTexels {
         const Mask16 inside = x.first_inside & row.inside;
         if (m_sampler.storage != TexelStorage::kDepth)
             return fetch_float(m_sampler, m_level, row.start + x.first, inside);
-        const I32x16 texel = gather(static_cast<const int32_t*>(m_level.texels), row.start + x.first);
+        const I32x16 texel =
+            gather(static_cast<const int32_t*>(m_level.texels), row.start + depth_column(m_level, x.first));
         return depth_color(m_sampler, depth_value(m_sampler, texel, inside, m_r));
     }
 

@@ -8,6 +8,7 @@
 #include "raster/fragment_state.h"
 #include "raster/pixel/color.h"
 #include "raster/pixel/compare.h"
+#include "raster/target/target.h"
 #include "simd/math.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
@@ -359,6 +360,20 @@ TERRAZZO_INLINE F32x16 depth_of_texel(const Sampler& sampler, I32x16 integer, Ma
     return select(inside, depth, F32x16(sampler.border_color[0]));
 }
 
+// Where a texel of a depth texture is: the sum of what its column and its row contribute, since pixel_index()
+// keeps their bits apart.
+TERRAZZO_INLINE I32x16 depth_column(const MipLevel& level, I32x16 x) {
+    if (level.bins_across == 0) return x;
+    static_assert(kBinSize == 64 && kTileSize == 4);
+    return (shift_left<6>(x) & I32x16(~(kBinPixels - 1))) | (shift_left<2>(x) & I32x16(0xf0)) |
+           (x & I32x16(3));
+}
+TERRAZZO_INLINE I32x16 depth_row(const MipLevel& level, I32x16 y) {
+    if (level.bins_across == 0) return y * I32x16(level.pitch);
+    const I32x16 bins = shift_right<6>(y) * I32x16(level.bins_across * kBinPixels);
+    return bins + ((shift_left<6>(y) & I32x16(0xf00)) | (shift_left<2>(y) & I32x16(0xc)));
+}
+
 // The depth, or the result of comparing r with it.
 TERRAZZO_INLINE F32x16 depth_value(const Sampler& sampler, I32x16 texel, Mask16 inside, F32x16 r) {
     const F32x16 zero(0.0f), one(1.0f), depth = depth_of_texel(sampler, texel, inside);
@@ -384,16 +399,21 @@ TERRAZZO_NOINLINE Color sample_depth(const Sampler& sampler, const MipLevel& lev
     const FloatAxis x = float_axis(sampler.wrap_s, filter, at.s, level.width);
     FloatAxis y = no_axis();
     if (sampler.dimensions > 1) y = float_axis(sampler.wrap_t, filter, at.t, level.height);
-    const I32x16 pitch(level.pitch);
+    const auto* const texels = static_cast<const int32_t*>(level.texels);
+    const I32x16 first_column = depth_column(level, x.first);
     if (filter == Filter::kNearest) {
-        const I32x16 texel = gather(static_cast<const int32_t*>(level.texels), y.first * pitch + x.first);
+        const I32x16 texel = gather(texels, depth_row(level, y.first) + first_column);
         return depth_color(sampler, depth_value(sampler, texel, x.first_inside & y.first_inside, at.r));
     }
     // Results are weighed as sums of two products, depths by differences.
-    const auto along_x = [&](I32x16 row, Mask16 inside) TERRAZZO_INLINE_LAMBDA {
-        const I32x16Pair texels = fetch_row_pair(level, row * pitch, x);
-        const F32x16 first = depth_value(sampler, texels.first, x.first_inside & inside, at.r),
-                     second = depth_value(sampler, texels.second, x.second_inside & inside, at.r);
+    const I32x16 second_column = depth_column(level, x.second);
+    const auto along_x = [&](I32x16 y_index, Mask16 inside) TERRAZZO_INLINE_LAMBDA {
+        const I32x16 row = depth_row(level, y_index);
+        const I32x16Pair pair = level.bins_across == 0 ? fetch_row_pair(level, row, x)
+                                                       : I32x16Pair{gather(texels, row + first_column),
+                                                                    gather(texels, row + second_column)};
+        const F32x16 first = depth_value(sampler, pair.first, x.first_inside & inside, at.r),
+                     second = depth_value(sampler, pair.second, x.second_inside & inside, at.r);
         return sampler.compares ? first * (F32x16(1.0f) - x.weight) + second * x.weight
                                 : first + x.weight * (second - first);
     };

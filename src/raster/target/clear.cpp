@@ -98,7 +98,7 @@ void clear_bin(const BinClear& clear, Target& target, int index) {
         target.clear_bin(index, clear.planes, clear.values);
         return;
     }
-    target.materialize(index);
+    target.materialize(index, clear.planes);
     const BinRect rect{std::max(clear.x0 - bin.x, 0), std::max(clear.y0 - bin.y, 0),
                        std::min(clear.x1 - bin.x, kBinSize), std::min(clear.y1 - bin.y, kBinSize)};
     for (int sample = 0; sample < target.format().samples; ++sample) {

@@ -156,7 +156,7 @@ void copy_rows(Target& target, int index, std::byte* row0, std::ptrdiff_t stride
 template <class Layout>
 void copy_bins(Target& target, int first, int count, std::byte* row0, std::ptrdiff_t stride) {
     if (!kIsColor<Layout>)
-        for (int i = first; i < first + count; ++i) target.materialize(i);
+        for (int i = first; i < first + count; ++i) target.materialize_to_read(i);
     // The mean of samples is worked out a bin at a time.
     const int step = target.format().samples > 1 ? kBinSize : kTileSize;
     if (count == 1 || step == kBinSize) {

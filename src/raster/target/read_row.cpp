@@ -42,7 +42,7 @@ void copy_rect(Target& target, Plane plane, const RowRect& rect, Pixel* out, std
         for (int x = rect.x; x < rect.x + rect.width;) {
             const int columns = std::min(rect.x + rect.width - x, kBinSize - x % kBinSize);
             const int index = row / kBinSize * target.bins_across() + x / kBinSize;
-            target.materialize(index);
+            target.materialize_to_read(index);
             const Pixel* pixels = plane(target.bin(index), row % kBinSize, rows);
             auto* to = reinterpret_cast<std::byte*>(out + (x - rect.x)) + (row - rect.row) * stride;
             for (int i = 0; i < rows; ++i) {
@@ -134,7 +134,7 @@ void read_widened(Target& target, int x, int row, int count, float* rgba) {
 void read_means(Target& target, int x, int row, int count, float* rgba) {
     for (const int end = x + count; x < end;) {
         const int index = row / kBinSize * target.bins_across() + x / kBinSize;
-        target.materialize(index);
+        target.materialize_to_read(index);
         const Bin bin = target.bin(index);
         for (const int last = std::min(end, bin.x + kBinSize); x < last; ++x, rgba += 4) {
             float mean[4];

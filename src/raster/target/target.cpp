@@ -12,15 +12,6 @@
 
 namespace terrazzo::raster {
 
-template <class T>
-Target::Plane<T>::Plane(int bins_across, int bins_up, size_t count)
-    : m_memory(std::make_shared<ZeroedMemory>(static_cast<size_t>(bins_across) *
-                                              static_cast<size_t>(bins_up) * count * sizeof(T))),
-      m_bins_across(bins_across),
-      m_count(count) {
-    if (m_memory->data() == nullptr) throw std::bad_alloc();
-}
-
 Target::Target(int width, int height, TargetFormat format, std::nullptr_t)
     : m_width(width),
       m_height(height),
@@ -41,15 +32,15 @@ void Target::allocate_depth_and_stencil() {
     }
 }
 
-Target::Plane<std::byte> Target::new_color() const {
+Plane<std::byte> Target::new_color() const {
     return {m_bins_across, m_bins_up, bin_samples() * static_cast<size_t>(bytes_per_pixel(m_format.color))};
 }
 
-Target::Plane<float> Target::new_farthest() const {
+Plane<float> Target::new_farthest() const {
     return {m_bins_across, m_bins_up, kBinTiles};
 }
 
-Target::Plane<uint8_t> Target::new_alike_marks() const {
+Plane<uint8_t> Target::new_alike_marks() const {
     if (m_format.samples == 1) return {};
     return {m_bins_across, m_bins_up, kBinTiles};
 }
@@ -87,15 +78,39 @@ std::shared_ptr<Target> Target::depth_and_stencil(int width, int height, TargetF
     return target;
 }
 
+// Bounds of tiles can wait: they are nobody else's.
+void Target::settle_row(int row_of_bins) {
+    const int first = row_of_bins * m_bins_across;
+    for (int i = first; i < first + m_bins_across; ++i) {
+        const ClearPlanes pending = state(i).pending;
+        if (pending.color) fill_color_of(i);
+        if (pending.depth) fill_depth_of(i);
+        if (pending.stencil) fill_stencil_of(i);
+    }
+}
+
 void Target::settle() {
-    for (int i = 0; i < bin_count(); ++i) materialize(i);
+    for (int row = 0; row < m_bins_up; ++row) settle_row(row);
+}
+
+int Target::bins_to_fill() const {
+    int count = 0;
+    for (int i = 0; i < bin_count(); ++i) {
+        const BinState& bin = m_states[static_cast<size_t>(i)];
+        count += (bin.pending.color && !m_color.store().holds(place_in(m_color, i), clear_color_word(bin))) ||
+                 (bin.pending.depth && !m_depth.store().holds(place_in(m_depth, i), bin.clear.depth)) ||
+                 (bin.pending.stencil && !m_stencil.store().holds(place_in(m_stencil, i), bin.clear.stencil));
+    }
+    return count;
 }
 
 void Target::start_over() {
-    for (int i = 0; i < bin_count(); ++i) {
-        state(i).pending = {};
-        forget_farthest(i);
-    }
+    for (int i = 0; i < bin_count(); ++i) state(i).pending = {};
+    forget_bounds();
+}
+
+void Target::forget_bounds() {
+    for (int i = 0; i < bin_count(); ++i) forget_farthest(i);
 }
 
 Bin Target::bin(int index) {
@@ -124,6 +139,7 @@ void Target::clear_bin(int index, ClearPlanes planes, const ClearValues& values)
         const uint32_t maximum = m_format.depth_bits == 16 ? 0xffff : 0xffffff;
         bin.farthest = values.depth < maximum ? static_cast<float>(values.depth) / static_cast<float>(maximum)
                                               : std::numeric_limits<float>::infinity();
+        bin.bounds_pending = true;
     }
     if (planes.stencil && m_stencil) {
         bin.pending.stencil = true;
@@ -131,36 +147,74 @@ void Target::clear_bin(int index, ClearPlanes planes, const ClearValues& values)
     }
 }
 
-void Target::materialize(int index, ClearPlanes wanted) {
-    BinState& info = state(index);
-    const bool color = info.pending.color && wanted.color, depth = info.pending.depth && wanted.depth,
-               stencil = info.pending.stencil && wanted.stencil;
-    if (!color && !depth && !stencil) return;
+// What a bin of the clear colour would hold, where that is a word.
+std::optional<uint32_t> Target::clear_color_word(const BinState& bin) const {
+    if (bytes_per_pixel(m_format.color) > 4) return std::nullopt;
+    std::byte pixel[16] = {};
+    encode_color(m_format.color, bin.clear.color, pixel);
+    uint32_t word;
+    std::memcpy(&word, pixel, sizeof word);
+    return word;
+}
+
+void Target::fill_color_of(int index) {
+    BinState& state = this->state(index);
+    state.pending.color = false;
+    const std::optional<uint32_t> word = clear_color_word(state);
+    const size_t place = place_in(m_color, index);
     const Bin planes = bin(index);
-    const auto mark_alike = [](uint8_t* marks) {
-        if (marks) std::memset(marks, 1, kBinTiles);
-    };
-    if (color) {
-        mark_alike(planes.color_alike);
-        if (m_format.color == ColorFormat::kRgba8) {
-            uint32_t pixel;
-            encode_color(m_format.color, info.clear.color, reinterpret_cast<std::byte*>(&pixel));
-            plane_kernels().fill(reinterpret_cast<uint32_t*>(planes.color), pixel, kBinPixels);
-        } else {
-            fill_color(m_format.color, info.clear.color, planes.color, kBinPixels);
+    if (planes.color_alike) std::memset(planes.color_alike, 1, kBinTiles);
+    if (m_color.store().holds(place, word)) return;
+    if (m_format.color == ColorFormat::kRgba8) {
+        plane_kernels().fill(reinterpret_cast<uint32_t*>(planes.color), *word, kBinPixels);
+    } else {
+        fill_color(m_format.color, state.clear.color, planes.color, kBinPixels);
+    }
+    m_color.store().filled(place, word);
+}
+
+void Target::fill_depth_of(int index) {
+    BinState& state = this->state(index);
+    state.pending.depth = false;
+    const size_t place = place_in(m_depth, index);
+    const Bin planes = bin(index);
+    if (planes.depth_alike) std::memset(planes.depth_alike, 1, kBinTiles);
+    if (!m_depth.store().holds(place, state.clear.depth))
+        plane_kernels().fill(planes.depth, state.clear.depth, kBinPixels);
+    m_depth.store().filled(place, state.clear.depth);
+}
+
+void Target::fill_stencil_of(int index) {
+    BinState& state = this->state(index);
+    state.pending.stencil = false;
+    const size_t place = place_in(m_stencil, index);
+    const Bin planes = bin(index);
+    if (planes.stencil_alike) std::memset(planes.stencil_alike, 1, kBinTiles);
+    if (m_stencil.store().holds(place, state.clear.stencil)) return;
+    std::memset(planes.stencil, state.clear.stencil, kBinPixels);
+    m_stencil.store().filled(place, state.clear.stencil);
+}
+
+void Target::materialize(int index, ClearPlanes wanted, ClearPlanes written) {
+    BinState& info = state(index);
+    if (wanted.color && m_color) {
+        if (info.pending.color) fill_color_of(index);
+        if (written.color) m_color.store().written(place_in(m_color, index));
+    }
+    if (wanted.depth && m_depth) {
+        const size_t place = place_in(m_depth, index);
+        PlaneStore& depths = m_depth.store();
+        if (info.pending.depth) fill_depth_of(index);
+        if (depths.is_stale(place)) depths.bring_over(place);
+        if (written.depth) depths.written(place);
+        if (info.bounds_pending) {
+            std::fill_n(bin(index).farthest, kBinTiles, info.farthest);
+            info.bounds_pending = false;
         }
-        info.pending.color = false;
     }
-    if (depth) {
-        mark_alike(planes.depth_alike);
-        plane_kernels().fill(planes.depth, info.clear.depth, kBinPixels);
-        std::fill_n(planes.farthest, kBinTiles, info.farthest);
-        info.pending.depth = false;
-    }
-    if (stencil) {
-        mark_alike(planes.stencil_alike);
-        std::memset(planes.stencil, info.clear.stencil, kBinPixels);
-        info.pending.stencil = false;
+    if (wanted.stencil && m_stencil) {
+        if (info.pending.stencil) fill_stencil_of(index);
+        if (written.stencil) m_stencil.store().written(place_in(m_stencil, index));
     }
 }
 
@@ -183,7 +237,7 @@ void Target::swap_colors() {
 
 // What is still to be cleared is so in the colour buffer that is in its place.
 void Target::exchange_color() {
-    for (int i = 0; i < bin_count(); ++i) materialize(i, {true, false, false});
+    for (int i = 0; i < bin_count(); ++i) materialize(i, {true, false, false}, {});
     std::swap(m_color, m_other_color);
     std::swap(m_color_alike, m_other_color_alike);
 }
@@ -211,6 +265,9 @@ void Target::restore_depths(const Depths& saved) {
     std::ranges::copy(saved.depth_alike, m_depth_alike.get());
     std::ranges::copy(saved.stencil_alike, m_stencil_alike.get());
     for (size_t i = 0; i < m_states.size(); ++i) {
+        const int index = static_cast<int>(i);
+        if (m_depth) m_depth.store().written(place_in(m_depth, index));
+        if (m_stencil) m_stencil.store().written(place_in(m_stencil, index));
         const BinState color = m_states[i];
         m_states[i] = saved.states[i];
         m_states[i].pending.color = color.pending.color;
@@ -219,10 +276,38 @@ void Target::restore_depths(const Depths& saved) {
 }
 
 void Target::forget_farthest(int index) {
-    const Bin planes = bin(index);
-    if (planes.farthest == nullptr) return;
-    std::fill_n(planes.farthest, kBinTiles, std::numeric_limits<float>::infinity());
-    planes.state->farthest = std::numeric_limits<float>::infinity();
+    BinState& info = state(index);
+    info.farthest = std::numeric_limits<float>::infinity();
+    info.bounds_pending = true;
+}
+
+std::unique_ptr<PlanePixels> Target::new_depths() const {
+    return std::make_unique<PlanePixels>(static_cast<size_t>(bin_count()), bin_samples() * sizeof(uint32_t));
+}
+
+std::shared_ptr<PlanePixels> Target::exchange_depths(std::shared_ptr<PlanePixels> next) {
+    return m_depth.store().exchange(std::move(next));
+}
+
+void Target::start_from_depths(std::shared_ptr<const PlanePixels> depths) {
+    m_depth.store().start_from(std::move(depths));
+}
+
+void Target::keep_depths_of_row(int row_of_bins) {
+    for (int column = 0; column < m_bins_across; ++column) {
+        const size_t place = m_depth.index(column, row_of_bins);
+        if (m_depth.store().is_stale(place)) m_depth.store().bring_over(place);
+    }
+}
+
+int Target::depths_to_copy() const {
+    int count = 0;
+    for (int i = 0; i < bin_count(); ++i) count += m_depth.store().needs_copy(place_in(m_depth, i));
+    return count;
+}
+
+void Target::let_go_of_texture() {
+    m_depth.store().let_go_of_source();
 }
 
 }  // namespace terrazzo::raster

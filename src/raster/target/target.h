@@ -22,10 +22,11 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "raster/target/formats.h"
-#include "raster/target/zeroed_memory.h"
+#include "raster/target/plane.h"
 
 namespace terrazzo::raster {
 
@@ -59,6 +60,8 @@ struct ClearValues {
 // Which planes a clear touches.
 struct ClearPlanes {
     bool color = false, depth = false, stencil = false;
+
+    constexpr bool any() const { return color || depth || stencil; }
 };
 
 // Windows have their top row first, frame buffer objects their bottom row, as in the reference: it decides
@@ -96,7 +99,8 @@ struct BinState {
     ClearValues clear;
     // No pixel's depth is above this, as window z; infinite where nothing better is known (hidden.h).
     float farthest = std::numeric_limits<float>::infinity();
-    uint32_t hidden = 0;  // primitives that were found behind all tiles they touch
+    bool bounds_pending = false;  // of the bin's tiles: all are `farthest`, and are still to be written
+    uint32_t hidden = 0;          // primitives that were found behind all tiles they touch
 };
 
 // One bin of a target as the kernels see it.
@@ -153,8 +157,11 @@ class Target {
     static std::shared_ptr<Target> depth_and_stencil(int width, int height, TargetFormat format);
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
-    // Fills what is still to be cleared everywhere.
+    // Fills what is still to be cleared everywhere. By rows of bins, which may be settled on several threads
+    // at a time, and how many bins there are to fill in all.
     void settle();
+    void settle_row(int row_of_bins);
+    int bins_to_fill() const;
     // Takes over planes that others have drawn to.
     void start_over();
 
@@ -164,6 +171,7 @@ class Target {
     int row(int y) const { return static_cast<int>(turn_rows(m_format.rows, m_height, y, y + 1).first); }
     bool has_color() const { return static_cast<bool>(m_color); }
     int bins_across() const { return m_bins_across; }
+    int bins_up() const { return m_bins_up; }
     int bin_count() const { return m_bins_across * m_bins_up; }
     const TargetFormat& format() const { return m_format; }
     // Whether pixels beyond this target's edges belong to others that share its planes.
@@ -172,10 +180,14 @@ class Target {
     Bin bin(int index);
     // Marks the planes of one bin as cleared.
     void clear_bin(int index, ClearPlanes planes, const ClearValues& values);
-    // Fills what is still to be cleared, so that the planes hold what GL says they hold.
+    // Fills what is still to be cleared, so that the planes hold what GL says they hold and may be written
+    // to.
     void materialize(int index) { materialize(index, {true, true, true}); }
     // The same for some planes.
-    void materialize(int index, ClearPlanes wanted);
+    void materialize(int index, ClearPlanes wanted) { materialize(index, wanted, wanted); }
+    // To be read, of which only some are written to.
+    void materialize(int index, ClearPlanes wanted, ClearPlanes written);
+    void materialize_to_read(int index) { materialize(index, {true, true, true}, {}); }
     // Held by the thread that uses the planes.
     std::mutex& mutex() const { return m_mutex; }
     // Gives the target its second colour buffer, all zero, if it has none yet. Throws std::bad_alloc.
@@ -195,30 +207,33 @@ class Target {
     void restore_depths(const Depths& saved);
     // Lets a bin's depths be anything: for those who write them outside the kernels.
     void forget_farthest(int index);
+    void forget_bounds();
+    // Depths in which a texture may be sampled, of a target without anything still to be cleared. They are
+    // handed over, and drawing goes on in `next`, memory of the same size, on what was drawn.
+    std::unique_ptr<PlanePixels> new_depths() const;
+    std::shared_ptr<PlanePixels> exchange_depths(std::shared_ptr<PlanePixels> next);
+    // Lets the depths be those of a texture.
+    void start_from_depths(std::shared_ptr<const PlanePixels> depths);
+    // Brings over what is still the texture's alone: by rows of bins, and how many bins there are to copy.
+    void keep_depths_of_row(int row_of_bins);
+    int depths_to_copy() const;
+    // When they are all there, or all will be overwritten.
+    void let_go_of_texture();
     BinState& state(int index) { return m_states[static_cast<size_t>(index)]; }
 
   private:
-    template <class T>
-    class Plane {
-      public:
-        Plane() = default;
-        // `bins_across` of each row of bins, each with `count` values. Throws std::bad_alloc.
-        Plane(int bins_across, int bins_up, size_t count);
-        explicit operator bool() const { return get() != nullptr; }
-        T* get() const { return m_memory ? static_cast<T*>(m_memory->data()) : nullptr; }
-        // The values of the bin in this column and row; null where there is no plane.
-        T* bin(int column, int row) const {
-            return m_memory ? get() + static_cast<size_t>(row * m_bins_across + column) * m_count : nullptr;
-        }
-
-      private:
-        std::shared_ptr<ZeroedMemory> m_memory;
-        int m_bins_across = 0;
-        size_t m_count = 0;
-    };
-
     Target(int width, int height, TargetFormat format, std::nullptr_t);
     void allocate_depth_and_stencil();
+    // The bin's place in a plane, which may be larger than the target.
+    template <class T>
+    size_t place_in(const Plane<T>& plane, int index) const {
+        if (plane.bins_across() == m_bins_across) return static_cast<size_t>(index);
+        return plane.index(index % m_bins_across, index / m_bins_across);
+    }
+    void fill_color_of(int index);
+    void fill_depth_of(int index);
+    void fill_stencil_of(int index);
+    std::optional<uint32_t> clear_color_word(const BinState& bin) const;
     void exchange_color();
     Plane<std::byte> new_color() const;
     Plane<float> new_farthest() const;

@@ -2,6 +2,9 @@
 //
 // Input: rows that src/gl has converted and quantised. Output: texels expanded to RGBA as sampling sees them
 // (GL 1.5 table 3.20: alpha [0,0,0,A], luminance [L,L,L,1], intensity [I,I,I,I], ...), row 0 first (t = 0).
+// What was drawn to a depth texture may stay where it was drawn: the image then has the tiles of a target's
+// plane (target.h), the sampler reads those, and rows are made of them when somebody asks for texels.
+//
 // Invariant: an image that a queued draw refers to never changes. Whoever writes to one asks
 // `LevelImage::writable` for it, which clones an image that somebody else holds too; so the pixels are
 // immutable as soon as they are shared.
@@ -14,6 +17,7 @@
 #include <vector>
 
 #include "raster/target/formats.h"
+#include "raster/target/plane.h"
 #include "raster/target/sole_owner.h"
 #include "raster/target/zeroed_memory.h"
 
@@ -38,8 +42,8 @@ struct TextureImage {
     static std::shared_ptr<TextureImage> create(const Size& size, TexelStorage storage,
                                                 BaseFormat base_format);
 
-    // A private copy of the same texels; null when memory is short.
-    std::shared_ptr<TextureImage> clone() const;
+    // A private copy of the same texels, or of zeros in their place; null when memory is short.
+    std::shared_ptr<TextureImage> clone(bool with_texels = true) const;
 
     // The texel (x, y, z) with the border outside: x from -border_x to width + border_x - 1, y and z
     // likewise. Texel (0, 0) and with it every row of a power-of-two image without border is aligned to 64
@@ -53,9 +57,13 @@ struct TextureImage {
         return reinterpret_cast<float*>(m_texels) + 4 * index(x, y, z);
     }
     const uint32_t* depths(int x, int y) const {
+        make_rows();
         return reinterpret_cast<const uint32_t*>(m_texels) + index(x, y, 0);
     }
-    uint32_t* depths(int x, int y) { return reinterpret_cast<uint32_t*>(m_texels) + index(x, y, 0); }
+    uint32_t* depths(int x, int y) {
+        make_rows();
+        return reinterpret_cast<uint32_t*>(m_texels) + index(x, y, 0);
+    }
     // Stencil values beside depths; null as long as all are 0 and nothing has called make_stencils(), which
     // throws std::bad_alloc.
     const uint8_t* stencils(int x, int y) const {
@@ -68,7 +76,15 @@ struct TextureImage {
     void make_stencils() {
         m_stencils.resize(static_cast<size_t>(pitch) * static_cast<size_t>(stored_height()));
     }
-    // The texel (0, 0, 0), whatever its storage.
+    // The depths as they were drawn, which the sampler reads in place of rows: a bin of them after the other,
+    // as many to a row as the width takes. Null where there are none.
+    const std::shared_ptr<PlanePixels>& tiles() const { return m_tiles; }
+    // Takes what was drawn, which nobody will write to any more, in place of rows: of an image without
+    // border, of the plane's size and bits.
+    void show_tiles(std::shared_ptr<PlanePixels> tiles);
+    std::shared_ptr<PlanePixels> take_tiles() { return std::exchange(m_tiles, nullptr); }
+
+    // The texel (0, 0, 0), whatever its storage, of an image that has no tiles.
     const void* first_texel() const {
         return m_texels + bytes_per_texel(storage) * static_cast<size_t>(index(0, 0, 0));
     }
@@ -84,6 +100,12 @@ struct TextureImage {
     // much.
     static size_t abandoned_bytes();
     void abandon();
+
+    // Rows that are to be written: nothing else holds the texels any more.
+    void keep_rows_alone() {
+        make_rows();
+        m_tiles.reset();
+    }
 
     TextureImage() = default;
     ~TextureImage();
@@ -114,7 +136,16 @@ struct TextureImage {
                static_cast<size_t>(stored_depth()) * bytes_per_texel(storage);
     }
 
+    // Makes the rows hold what the tiles do; whoever asks has the textures' lock.
+    void make_rows() const {
+        if (m_rows_are_old) copy_tiles_to_rows();
+    }
+    void copy_tiles_to_rows() const;
+
     ZeroedMemory m_memory;
+    std::shared_ptr<PlanePixels> m_tiles;
+    mutable bool m_rows_are_old = false;
+    bool m_gave_rows_back = false;
     uint8_t* m_texels = nullptr;  // the first stored texel, 64-byte aligned, inside m_memory
     std::vector<uint8_t> m_stencils;
     bool m_abandoned = false;
@@ -144,8 +175,14 @@ class LevelImage {
     // The image to write to: a copy in its place where it is in use. Null, and nothing is changed, when
     // memory is short.
     TextureImage* writable();
+    // The image to change without its texels, which stay where they are; otherwise the same.
+    TextureImage* writable_beside_texels();
+    // The image to give new tiles in place of all texels; otherwise the same. What it had may be gone.
+    TextureImage* replaceable();
 
   private:
+    TextureImage* in_place_of_used(bool with_texels);
+
     void let_go() {
         if (in_use()) m_image->abandon();
     }

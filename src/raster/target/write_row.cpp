@@ -31,8 +31,8 @@ void for_each_pixel(Target& target, int x, int row, int count, Store store) {
 // A pixel in its bin.
 struct PlacedPixel {
     explicit PlacedPixel(const PixelPlace& place)
-        : bin(materialized(place.target,
-                           place.row / kBinSize * place.target.bins_across() + place.x / kBinSize)),
+        : index(place.row / kBinSize * place.target.bins_across() + place.x / kBinSize),
+          bin(materialized(place.target, index)),
           format(place.target.format().color),
           pixel(pixel_index(place.x % kBinSize, place.row % kBinSize)) {}
 
@@ -45,6 +45,7 @@ struct PlacedPixel {
         return planes_of_sample(bin, sample, format).color + pixel * bytes_per_pixel(format);
     }
 
+    int index;
     Bin bin;
     ColorFormat format;
     int pixel;
@@ -113,7 +114,10 @@ void copy_samples(const PixelPlace& from, const PixelPlace& to, ClearPlanes plan
             encode_color(b.format, color, b.color(s));
         }
     }
-    if (planes.depth) copy_plane(a, a.bin.depth, a.bin.depth_alike, b, b.bin.depth, b.bin.depth_alike);
+    if (planes.depth) {
+        copy_plane(a, a.bin.depth, a.bin.depth_alike, b, b.bin.depth, b.bin.depth_alike);
+        to.target.forget_farthest(b.index);
+    }
     if (planes.stencil)
         copy_plane(a, a.bin.stencil, a.bin.stencil_alike, b, b.bin.stencil, b.bin.stencil_alike);
 }

@@ -38,6 +38,12 @@ ZeroedMemory::~ZeroedMemory() {
     std::free(m_block);
 }
 
+void ZeroedMemory::give_back_pages() {
+#ifdef __linux__
+    if (m_mapped != 0) madvise(m_block, m_mapped, MADV_DONTNEED);
+#endif
+}
+
 bool ZeroedMemory::map_huge(size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     // The size of huge pages on x86 and on ARM with pages of 4 KiB; with others the advice is not taken.

@@ -24,6 +24,8 @@ class ZeroedMemory {
     }
 
     void* data() const { return m_data; }
+    // Makes zeros of it again, or leaves it as it is, where that gives memory back to the system.
+    void give_back_pages();
 
   private:
     bool map_huge(size_t bytes);
