@@ -18,6 +18,6 @@ sanitized() {
 }
 
 report=$1 status=0
-sanitized asan unit bad_input kernels stress osmesa || status=1
-TERRAZZO_THREADS=4 sanitized tsan stress threads || status=1
+sanitized asan unit bad_input kernels stress survival osmesa || status=1
+TERRAZZO_THREADS=4 sanitized tsan stress survival threads || status=1
 exit $status
