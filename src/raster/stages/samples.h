@@ -58,7 +58,7 @@ TERRAZZO_INLINE Stage choose_sample_test_stage(const FragmentState& state) {
     const FragmentKey& k = state.key;
     const bool tests = (k.depth_test || k.stencil_test) && tests_early(k);
     if (!tests && !k.polygon_stipple) return nullptr;
-    if (!only_compares_depth(k) || !k.depth_write) return general_sample_test_stage;
+    if (!only_compares_depth(k) || k.depth_offset || !k.depth_write) return general_sample_test_stage;
     if (k.depth_func == Compare::kLess) return depth_sample_stage<Compare::kLess, true>;
     if (k.depth_func == Compare::kLessEqual) return depth_sample_stage<Compare::kLessEqual, true>;
     return general_sample_test_stage;

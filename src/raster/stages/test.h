@@ -37,6 +37,26 @@ void depth_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     batch.count = kept;
 }
 
+// The same with any comparison, and with an offset of polygons: shadow maps are drawn with one.
+template <bool kWrite>
+void any_depth_stage(const FragmentState& state, Bin& bin, Batch& batch) {
+    const Compare func = state.key.depth_func;
+    const bool is_offset = state.key.depth_offset;
+    const int depth_bits = state.depth_bits, count = batch.count;
+    uint32_t* const plane = bin.depth;
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        F32x16 z = planes_of(batch, bin, i).depth();
+        if (is_offset) z = z + F32x16(batch.primitives[i]->depth_offset);
+        const I32x16 depth = quantize_depth(z, depth_bits);
+        uint32_t* const stored = plane + batch.tiles[i] * kTilePixels;
+        const Mask16 pass = compare(func, depth, load(stored)) & mask_from_bits(batch.masks[i]);
+        if (kWrite) store_masked(pass, depth, stored);
+        kept = keep_entry(batch, i, bits_of(pass), kept);
+    }
+    batch.count = kept;
+}
+
 // All that there is, chosen as it runs.
 inline void general_test_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     const FragmentKey& k = state.key;
@@ -58,12 +78,13 @@ inline void general_test_stage(const FragmentState& state, Bin& bin, Batch& batc
 
 // Whether a state's test is a comparison of depths and no more.
 TERRAZZO_INLINE bool only_compares_depth(const FragmentKey& k) {
-    return k.depth_test && !k.stencil_test && !k.polygon_stipple && !k.depth_offset && !k.depth_clamp;
+    return k.depth_test && !k.stencil_test && !k.polygon_stipple && !k.depth_clamp;
 }
 
 template <bool kWrite>
-TERRAZZO_INLINE Stage depth_stage_for(Compare func) {
-    switch (func) {
+TERRAZZO_INLINE Stage depth_stage_for(const FragmentKey& k) {
+    if (k.depth_offset) return any_depth_stage<kWrite>;
+    switch (k.depth_func) {
         case Compare::kLess:
             return depth_stage<Compare::kLess, kWrite>;
         case Compare::kLessEqual:
@@ -71,7 +92,7 @@ TERRAZZO_INLINE Stage depth_stage_for(Compare func) {
         case Compare::kEqual:
             return depth_stage<Compare::kEqual, kWrite>;
         default:
-            return general_test_stage;
+            return any_depth_stage<kWrite>;
     }
 }
 
@@ -79,12 +100,12 @@ TERRAZZO_INLINE Stage choose_test_stage(const FragmentState& state) {
     const FragmentKey& k = state.key;
     if (tests_early(k)) {
         if (only_compares_depth(k))
-            return k.depth_write ? depth_stage_for<true>(k.depth_func) : depth_stage_for<false>(k.depth_func);
+            return k.depth_write ? depth_stage_for<true>(k) : depth_stage_for<false>(k);
         return k.depth_test || k.stencil_test || k.polygon_stipple ? general_test_stage : nullptr;
     }
     // Depths only come nearer while a batch is drawn: what fails now would fail later too.
     if (only_compares_depth(k) && (k.depth_func == Compare::kLess || k.depth_func == Compare::kLessEqual))
-        return depth_stage_for<false>(k.depth_func);
+        return depth_stage_for<false>(k);
     return k.polygon_stipple ? general_test_stage : nullptr;
 }
 
