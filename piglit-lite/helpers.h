@@ -31,6 +31,15 @@ class Random {
     std::uint32_t m_state;
 };
 
+// InOrder{gl.Vertex2f, random(0, 1), random(0, 1)}; is a call whose arguments are worked out from left to
+// right. The order of a call's own is the compiler's, and with it which random number is x.
+struct InOrder {
+    template <class Command, class... Arguments>
+    explicit InOrder(Command command, Arguments... arguments) {
+        command(arguments...);
+    }
+};
+
 struct SolidVertex {
     float position[3];
     float normal[3];

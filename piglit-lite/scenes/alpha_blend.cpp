@@ -69,7 +69,8 @@ SCENE(blend_layers, "a hundred translucent discs, where every rounding adds up")
     Random random(8);
     for (int i = 0; i < 100; ++i) {
         const float x = random(0, 256), y = random(0, 256), r = random(10, 60);
-        const Colour colour = hue(random(0, 1), 1, random(0.05F, 0.4F));
+        const float turn = random(0, 1), alpha = random(0.05F, 0.4F);
+        const Colour colour = hue(turn, 1, alpha);
         gl.Begin(GL_TRIANGLE_FAN);
         gl.Color4fv(colour.data());
         gl.Vertex2f(x, y);
@@ -95,7 +96,7 @@ SCENE(blend_additive_sparks, "ONE, ONE saturates; points, lines and triangles ad
         gl.Begin(modes[i % 3]);
         for (int k = 0; k < 3 - (i % 3 == 1); ++k) {
             gl.Color4fv(hue(static_cast<float>(i) / 240, 0.35F).data());
-            gl.Vertex2f(x + random(-20, 20), y + random(-20, 20));
+            InOrder{gl.Vertex2f, x + random(-20, 20), y + random(-20, 20)};
         }
         gl.End();
     }

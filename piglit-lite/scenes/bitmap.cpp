@@ -36,8 +36,8 @@ SCENE(bitmap_sizes, "widths from 1 to 40 at every place relative to a tile, in c
         const auto width = static_cast<GLsizei>(random(1, 41)), height = static_cast<GLsizei>(random(1, 25));
         const std::vector<GLubyte> bits = random_bits(random, 8 * 32);
         gl.Color4fv(hue(static_cast<float>(i) / 120).data());
-        gl.RasterPos2f(random(0, 250), random(0, 250));
-        gl.Bitmap(width, height, random(-4, 4), random(-4, 4), 0, 0, bits.data());
+        InOrder{gl.RasterPos2f, random(0, 250), random(0, 250)};
+        InOrder{gl.Bitmap, width, height, random(-4, 4), random(-4, 4), 0, 0, bits.data()};
     }
 }
 

@@ -102,7 +102,7 @@ SCENE(evaluators_surfaces, "surfaces of all orders, with and without normals",
             gl.MapGrid2d(3, 0, 1, 2, -1, 1);
             note_vertices(gl, notes, std::to_string(10 * u_order + v_order), [&] {
                 gl.Begin(GL_POINTS);
-                for (int i = 0; i < 4; ++i) gl.EvalCoord2f(random(0, 1), random(-1, 1));
+                for (int i = 0; i < 4; ++i) InOrder{gl.EvalCoord2f, random(0, 1), random(-1, 1)};
                 gl.EvalPoint2(2, 1);
                 gl.End();
                 gl.EvalMesh2(GL_POINT, 0, 3, 0, 2);

@@ -18,9 +18,9 @@ void some_points(const Gl& gl, int seed) {
     gl.Begin(GL_POINTS);
     for (int i = 0; i < 24; ++i) {
         gl.Color4fv(hue(static_cast<float>(i) / 24, 1, 0.7F).data());
-        gl.TexCoord2f(random(0, 1), random(0, 1));
-        gl.MultiTexCoord2f(GL_TEXTURE1, random(0, 1), random(0, 1));
-        gl.Vertex3f(random(-1.2F, 1.2F), random(-1.2F, 1.2F), random(-3, 0));
+        InOrder{gl.TexCoord2f, random(0, 1), random(0, 1)};
+        InOrder{gl.MultiTexCoord2f, GL_TEXTURE1, random(0, 1), random(0, 1)};
+        InOrder{gl.Vertex3f, random(-1.2F, 1.2F), random(-1.2F, 1.2F), random(-3, 0)};
     }
     gl.End();
 }

@@ -57,8 +57,8 @@ SCENE(polygon_slivers, "thousands of thin, tiny and degenerate triangles") {
         const float x = random(0, 256), y = random(0, 256);
         gl.Color4fv(hue(static_cast<float>(i) / 3000).data());
         gl.Vertex2f(x, y);
-        gl.Vertex2f(x + random(-14, 14), y + random(-14, 14));
-        gl.Vertex2f(x + random(-0.7F, 0.7F), y + random(-0.7F, 0.7F));
+        InOrder{gl.Vertex2f, x + random(-14, 14), y + random(-14, 14)};
+        InOrder{gl.Vertex2f, x + random(-0.7F, 0.7F), y + random(-0.7F, 0.7F)};
     }
     gl.End();
 }

@@ -97,7 +97,7 @@ SCENE(program_solar_system,
     for (int i = 0; i < 200; ++i) {
         const float light = random(0.3F, 1);
         gl.Color3f(light, light, light);
-        gl.Vertex3f(random(-8, 8), random(-8, 8), -8);
+        InOrder{gl.Vertex3f, random(-8, 8), random(-8, 8), -8};
     }
     gl.End();
     gl.Rotatef(30, 1, 0, 0);

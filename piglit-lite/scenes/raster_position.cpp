@@ -33,9 +33,9 @@ void random_transform(const Gl& gl, Random& random) {
     }
     gl.MatrixMode(GL_MODELVIEW);
     gl.LoadIdentity();
-    gl.Translatef(random(-1, 1), random(-1, 1), random(-9, -3));
-    gl.Rotatef(random(-180, 180), random(-1, 1), random(-1, 1), 1);
-    gl.Scalef(random(0.5F, 2), random(0.5F, 2), 1);
+    InOrder{gl.Translatef, random(-1, 1), random(-1, 1), random(-9, -3)};
+    InOrder{gl.Rotatef, random(-180, 180), random(-1, 1), random(-1, 1), 1};
+    InOrder{gl.Scalef, random(0.5F, 2), random(0.5F, 2), 1};
 }
 
 }  // namespace
@@ -46,8 +46,9 @@ SCENE(raster_position_transform, "positions through random matrices, viewports, 
     Random random(7);
     for (int i = 0; i < 40; ++i) {
         random_transform(gl, random);
-        gl.Viewport(static_cast<GLint>(random(-20, 20)), 3, static_cast<GLsizei>(random(50, 300)), 177);
-        gl.DepthRange(static_cast<double>(random(0, 1)), static_cast<double>(random(0, 1)));
+        InOrder{gl.Viewport, static_cast<GLint>(random(-20, 20)), 3, static_cast<GLsizei>(random(50, 300)),
+                177};
+        InOrder{gl.DepthRange, static_cast<double>(random(0, 1)), static_cast<double>(random(0, 1))};
         const GLdouble plane[4] = {1, 0.5, 0, 0.7};
         if (i % 3 == 0) gl.ClipPlane(GL_CLIP_PLANE2, plane);
         if (i % 5 == 0) {
@@ -55,8 +56,9 @@ SCENE(raster_position_transform, "positions through random matrices, viewports, 
         } else {
             gl.Disable(GL_CLIP_PLANE2);
         }
-        gl.Color4f(random(0, 1), random(0, 1), random(0, 1), random(0, 1));
-        gl.RasterPos4f(random(-1.5F, 1.5F), random(-1.5F, 1.5F), random(-1.5F, 1.5F), random(0.8F, 1.2F));
+        InOrder{gl.Color4f, random(0, 1), random(0, 1), random(0, 1), random(0, 1)};
+        InOrder{gl.RasterPos4f, random(-1.5F, 1.5F), random(-1.5F, 1.5F), random(-1.5F, 1.5F),
+                random(0.8F, 1.2F)};
         note_position(gl, notes, std::to_string(i));
     }
 }
@@ -78,8 +80,8 @@ SCENE(raster_position_texture_coordinates, "the texture matrix and generated coo
         gl.MatrixMode(GL_TEXTURE);
         gl.LoadIdentity();
         if (i % 4 == 0) gl.Rotatef(random(0, 90), 1, 2, 3);
-        gl.TexCoord4f(random(-1, 1), random(-1, 1), random(-1, 1), random(0.5F, 1));
-        gl.RasterPos3f(random(-1, 1), random(-1, 1), random(-1, 1));
+        InOrder{gl.TexCoord4f, random(-1, 1), random(-1, 1), random(-1, 1), random(0.5F, 1)};
+        InOrder{gl.RasterPos3f, random(-1, 1), random(-1, 1), random(-1, 1)};
         note_position(gl, notes, std::to_string(i));
     }
 }
@@ -95,7 +97,7 @@ SCENE(raster_position_reflections,
     for (int i = 0; i < 30; ++i) {
         random_transform(gl, random);
         gl.LoadIdentity();
-        gl.Translatef(random(-1, 1), random(-1, 1), random(-9, -3));
+        InOrder{gl.Translatef, random(-1, 1), random(-1, 1), random(-9, -3)};
         const GLenum mode = kModes[i % 3];
         for (const GLenum coordinate : kCoordinates) {
             const bool generated = coordinate != GL_R || mode != GL_SPHERE_MAP;  // a sphere has no R
@@ -106,7 +108,7 @@ SCENE(raster_position_reflections,
         const GLfloat x = random(-0.7F, 0.7F), y = random(-0.7F, 0.7F);
         gl.Normal3f(x, y, std::sqrt(1 - x * x - y * y));
         gl.TexCoord4f(0.1F, 0.2F, 0.3F, 1);
-        gl.RasterPos3f(random(-1, 1), random(-1, 1), random(-1, 1));
+        InOrder{gl.RasterPos3f, random(-1, 1), random(-1, 1), random(-1, 1)};
         note_position(gl, notes, std::to_string(i));
     }
 }
@@ -128,7 +130,7 @@ SCENE(raster_position_lit, "colours that lighting gives the position", .draws_no
         gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, specular.data());
         gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, random(1, 40));
         gl.Normal3f(0.6F, 0, 0.8F);
-        gl.RasterPos3f(random(-0.5F, 0.5F), random(-0.5F, 0.5F), 0);
+        InOrder{gl.RasterPos3f, random(-0.5F, 0.5F), random(-0.5F, 0.5F), 0};
         note_position(gl, notes, std::to_string(i), kStep);
     }
 }

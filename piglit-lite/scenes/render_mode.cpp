@@ -37,10 +37,10 @@ void note_selection(const Gl& gl, Notes& notes, const std::string& name, GLsizei
 
 void random_vertices(const Gl& gl, Random& random, int count, float extent) {
     for (int i = 0; i < count; ++i) {
-        gl.Color4f(random(0, 1), random(0, 1), random(0, 1), random(0, 1));
-        gl.TexCoord4f(random(0, 1), random(0, 1), random(0, 1), random(0.5F, 1));
+        InOrder{gl.Color4f, random(0, 1), random(0, 1), random(0, 1), random(0, 1)};
+        InOrder{gl.TexCoord4f, random(0, 1), random(0, 1), random(0, 1), random(0.5F, 1)};
         gl.EdgeFlag(i % 3 != 1);
-        gl.Vertex3f(random(-extent, extent), random(-extent, extent), random(-extent, extent));
+        InOrder{gl.Vertex3f, random(-extent, extent), random(-extent, extent), random(-extent, extent)};
     }
     gl.EdgeFlag(GL_TRUE);
 }

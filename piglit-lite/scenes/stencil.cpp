@@ -96,7 +96,7 @@ SCENE(stencil_counting_overlaps, "INCR counts layers with clamping, then colours
     Random random(17);
     for (int i = 0; i < 60; ++i) {
         gl.Begin(GL_TRIANGLES);
-        for (int k = 0; k < 3; ++k) gl.Vertex2f(random(0, 256), random(0, 256));
+        for (int k = 0; k < 3; ++k) InOrder{gl.Vertex2f, random(0, 256), random(0, 256)};
         gl.End();
     }
     gl.ColorMask(1, 1, 1, 1);
