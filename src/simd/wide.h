@@ -323,18 +323,6 @@ TERRAZZO_INLINE F32x16 sqrt(F32x16 a) {
 }
 #endif
 
-// base[index] a lane, index in elements.
-TERRAZZO_INLINE F32x16 gather(const float* base, I32x16 index) {
-    F32x16 r;
-    TERRAZZO_FOR_PARTS r.part[p] = hn::GatherIndex(TagF(), base, index.part[p]);
-    return r;
-}
-TERRAZZO_INLINE I32x16 gather(const int32_t* base, I32x16 index) {
-    I32x16 r;
-    TERRAZZO_FOR_PARTS r.part[p] = hn::GatherIndex(TagI(), base, index.part[p]);
-    return r;
-}
-
 TERRAZZO_INLINE F32x16 to_float(I32x16 a) {
     F32x16 r;
     TERRAZZO_FOR_PARTS r.part[p] = hn::ConvertTo(TagF(), a.part[p]);
@@ -387,6 +375,58 @@ TERRAZZO_INLINE I32x16 multiply_small(I32x16 a, I32x16 b) {
     return a * b;
 #endif
 }
+
+// base[index] a lane, index in elements.
+#if defined(TERRAZZO_X86)
+// Loads of single words, into registers: gather instructions take up to seven times as many steps on AMD's
+// processors, and microcode has made them slow on many of Intel's.
+TERRAZZO_INLINE I32x16 gather(const int32_t* base, I32x16 index) {
+    alignas(64) int32_t at[16];
+    store(index, at);
+    // Or gcc takes the words out of the vector again, one by one.
+    __asm__("" : "+m"(at));
+    const auto four = [&](int i) TERRAZZO_INLINE_LAMBDA {
+        const auto word = [&](int j) TERRAZZO_INLINE_LAMBDA {
+            return _mm_castsi128_ps(_mm_loadu_si32(base + at[i + j]));
+        };
+        const __m128 two = _mm_insert_ps(word(0), word(1), 0x10);
+        return _mm_insert_ps(_mm_insert_ps(two, word(2), 0x20), word(3), 0x30);
+    };
+    I32x16 r;
+#if HWY_TARGET <= HWY_AVX2
+    const auto eight = [&](int i) TERRAZZO_INLINE_LAMBDA {
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(four(i)), four(i + 4), 1);
+    };
+#endif
+#if HWY_TARGET <= HWY_AVX3
+    const __m512 low = _mm512_castps256_ps512(eight(0));
+    r.part[0].raw = _mm512_castps_si512(_mm512_insertf32x8(low, eight(8), 1));
+#elif HWY_TARGET <= HWY_AVX2
+    TERRAZZO_FOR_PARTS r.part[p].raw = _mm256_castps_si256(eight(8 * p));
+#else
+    TERRAZZO_FOR_PARTS r.part[p].raw = _mm_castps_si128(four(4 * p));
+#endif
+    return r;
+}
+TERRAZZO_INLINE F32x16 gather(const float* base, I32x16 index) {
+    // The words are loaded as what may alias anything.
+    const I32x16 bits = gather(reinterpret_cast<const int32_t*>(base), index);
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::BitCast(TagF(), bits.part[p]);
+    return r;
+}
+#else
+TERRAZZO_INLINE F32x16 gather(const float* base, I32x16 index) {
+    F32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::GatherIndex(TagF(), base, index.part[p]);
+    return r;
+}
+TERRAZZO_INLINE I32x16 gather(const int32_t* base, I32x16 index) {
+    I32x16 r;
+    TERRAZZO_FOR_PARTS r.part[p] = hn::GatherIndex(TagI(), base, index.part[p]);
+    return r;
+}
+#endif
 
 // base[index[i]] and base[index[i] + 1] for the lanes i of one native vector; `index` was written long enough
 // ago to be read word by word. Loads of eight bytes and a transposition: two thirds to half of what gathers
