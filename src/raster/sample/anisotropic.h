@@ -112,7 +112,7 @@ class AnyTexels {
         const FloatAxis x = texel_axis(m_sampler.wrap_s, index, m_level.width);
         const Mask16 inside = x.first_inside & row.inside;
         if (m_sampler.storage != TexelStorage::kDepth)
-            return fetch_float(m_sampler, m_level, row.start + x.first, inside);
+            return with_border(m_sampler, inside, fetch_float(m_sampler, m_level, row.start + x.first));
         const I32x16 texel =
             gather(static_cast<const int32_t*>(m_level.texels), row.start + depth_column(m_level, x.first));
         return depth_color(m_sampler, depth_value(m_sampler, texel, inside, m_r));

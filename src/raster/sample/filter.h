@@ -119,6 +119,11 @@ TERRAZZO_INLINE I32x16 fetch_rgba8(const MipLevel& level, I32x16 x, I32x16 y) {
     return gather(static_cast<const int32_t*>(level.texels), y * I32x16(level.pitch) + x);
 }
 
+// Whether no lane wraps round or is clamped: the two columns are neighbours in memory, and one load gets
+// both.
+TERRAZZO_INLINE bool are_neighbours(const FixedAxis& x) {
+    return bits_of(x.second == x.first + I32x16(1)) == 0xffff;
+}
 // The texels at columns x.first and x.second of a row, whose first texel each lane's `row` counts from the
 // image's.
 TERRAZZO_INLINE I32x16Pair fetch_neighbours(const MipLevel& level, const FixedAxis& x, I32x16 row,
@@ -137,9 +142,7 @@ TERRAZZO_INLINE TexelPairs sample_fixed_2d(Wrap wrap_s, Wrap wrap_t, const MipLe
     if (filter == Filter::kNearest)
         return split_pairs(
             gather(static_cast<const int32_t*>(level.texels), multiply_small(y.first, pitch) + x.first));
-    // Where no lane wraps round or is clamped, the two columns are neighbours in memory and one load gets
-    // both.
-    const bool adjacent = bits_of(x.second == x.first + I32x16(1)) == 0xffff;
+    const bool adjacent = are_neighbours(x);
     const I32x16Pair low = fetch_neighbours(level, x, multiply_small(y.first, pitch), adjacent);
     const I32x16Pair high = fetch_neighbours(level, x, multiply_small(y.second, pitch), adjacent);
     const I32x16 wx = pair_weights(x.weight);
@@ -196,15 +199,15 @@ class RepeatedBilinear {
 // The same of one image of a 3D texture, which begins `slice` texels after the first.
 TERRAZZO_INLINE TexelPairs sample_fixed_slice(const MipLevel& level, const FixedAxis& x, const FixedAxis& y,
                                               I32x16 slice, bool linear) {
-    const I32x16 pitch(level.pitch), low_row = y.first * pitch + slice, high_row = y.second * pitch + slice;
-    const auto texel = [&](I32x16 row, I32x16 column) {
-        return split_pairs(gather(static_cast<const int32_t*>(level.texels), row + column));
-    };
-    if (!linear) return texel(low_row, x.first);
+    const I32x16 pitch(level.pitch), low_row = y.first * pitch + slice;
+    if (!linear) return split_pairs(gather(static_cast<const int32_t*>(level.texels), low_row + x.first));
+    const bool adjacent = are_neighbours(x);
     const I32x16 weight = pair_weights(x.weight);
-    return lerp_pairs(lerp_pairs(texel(low_row, x.first), texel(low_row, x.second), weight),
-                      lerp_pairs(texel(high_row, x.first), texel(high_row, x.second), weight),
-                      pair_weights(y.weight));
+    const auto mixed = [&](I32x16 row) TERRAZZO_INLINE_LAMBDA {
+        const I32x16Pair pair = fetch_neighbours(level, x, row, adjacent);
+        return lerp_pairs(split_pairs(pair.first), split_pairs(pair.second), weight);
+    };
+    return lerp_pairs(mixed(low_row), mixed(y.second * pitch + slice), pair_weights(y.weight));
 }
 
 TERRAZZO_NOINLINE TexelPairs sample_fixed_3d(const Sampler& sampler, const MipLevel& level, Filter filter,
@@ -301,35 +304,58 @@ TERRAZZO_NOINLINE Color fetch_floats(const MipLevel& level, I32x16 index) {
     return {four.value[0], four.value[1], four.value[2], four.value[3]};
 }
 
+TERRAZZO_INLINE Color color_of_rgba8(I32x16 texel) {
+    return from_color8(unpack_rgba8(texel));
+}
+
 // The texel `index` texels after the first.
-TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 index,
-                                  Mask16 inside) {
-    if (sampler.storage != TexelStorage::kRgba8)
-        return with_border(sampler, inside, fetch_floats(level, index));
-    const I32x16 texel = gather(static_cast<const int32_t*>(level.texels), index);
-    return with_border(sampler, inside, from_color8(unpack_rgba8(texel)));
+TERRAZZO_INLINE Color fetch_float(const Sampler& sampler, const MipLevel& level, I32x16 index) {
+    if (sampler.storage != TexelStorage::kRgba8) return fetch_floats(level, index);
+    return color_of_rgba8(gather(static_cast<const int32_t*>(level.texels), index));
 }
 
 TERRAZZO_INLINE Color lerp(Color a, Color b, F32x16 t) {
     return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b), a.a + t * (b.a - a.a)};
 }
 
+// The two texels of a row mixed; those that are not `inside` the image in y and z, or not in x, are border.
+template <bool kBorders>
+TERRAZZO_INLINE Color mix_row(const Sampler& sampler, const MipLevel& level, const FloatAxis& x, I32x16 row,
+                              Mask16 inside) {
+    Color first, second;
+    if (sampler.storage == TexelStorage::kRgba8) {
+        const I32x16Pair pair = fetch_row_pair(level, row, x);
+        first = color_of_rgba8(pair.first), second = color_of_rgba8(pair.second);
+    } else {
+        first = fetch_floats(level, row + x.first), second = fetch_floats(level, row + x.second);
+    }
+    if constexpr (kBorders) {
+        first = with_border(sampler, x.first_inside & inside, first);
+        second = with_border(sampler, x.second_inside & inside, second);
+    }
+    return lerp(first, second, x.weight);
+}
+
 // Of one image of a 3D texture, or the only one; it begins `slice` texels after the first.
+template <bool kBorders>
 TERRAZZO_INLINE Color sample_float_slice(const Sampler& sampler, const MipLevel& level, Filter filter,
                                          const FloatAxis& x, const FloatAxis& y, I32x16 slice,
                                          Mask16 slice_inside) {
     const I32x16 low_row = y.first * I32x16(level.pitch) + slice;
     const Mask16 low_inside = y.first_inside & slice_inside;
-    const Color c00 = fetch_float(sampler, level, low_row + x.first, x.first_inside & low_inside);
-    if (filter == Filter::kNearest) return c00;
-    const Color c10 = fetch_float(sampler, level, low_row + x.second, x.second_inside & low_inside);
-    const Color low = lerp(c00, c10, x.weight);
+    if (filter == Filter::kNearest) {
+        const Color texel = fetch_float(sampler, level, low_row + x.first);
+        return kBorders ? with_border(sampler, x.first_inside & low_inside, texel) : texel;
+    }
+    const Color low = mix_row<kBorders>(sampler, level, x, low_row, low_inside);
     if (sampler.dimensions == 1) return low;
     const I32x16 high_row = y.second * I32x16(level.pitch) + slice;
-    const Mask16 high_inside = y.second_inside & slice_inside;
-    const Color c01 = fetch_float(sampler, level, high_row + x.first, x.first_inside & high_inside);
-    const Color c11 = fetch_float(sampler, level, high_row + x.second, x.second_inside & high_inside);
-    return lerp(low, lerp(c01, c11, x.weight), y.weight);
+    return lerp(low, mix_row<kBorders>(sampler, level, x, high_row, y.second_inside & slice_inside),
+                y.weight);
+}
+
+TERRAZZO_INLINE Mask16 both_inside(const FloatAxis& axis) {
+    return axis.first_inside & axis.second_inside;
 }
 
 TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& level, Filter filter,
@@ -337,14 +363,19 @@ TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& lev
     const FloatAxis x = float_axis(sampler.wrap_s, filter, at.s, level.width);
     FloatAxis y = no_axis();
     if (sampler.dimensions > 1) y = float_axis(sampler.wrap_t, filter, at.t, level.height);
-    if (sampler.dimensions < 3)
-        return sample_float_slice(sampler, level, filter, x, y, I32x16(0), mask_from_bits(0xffff));
+    if (sampler.dimensions < 3) {
+        const Mask16 all = mask_from_bits(0xffff);
+        if (bits_of(both_inside(x) & both_inside(y)) == 0xffff)
+            return sample_float_slice<false>(sampler, level, filter, x, y, I32x16(0), all);
+        return sample_float_slice<true>(sampler, level, filter, x, y, I32x16(0), all);
+    }
     const FloatAxis z = float_axis(sampler.wrap_r, filter, at.r, level.depth);
-    const I32x16 slice(level.slice);
-    const Color first = sample_float_slice(sampler, level, filter, x, y, z.first * slice, z.first_inside);
+    const auto slice = [&](I32x16 number, Mask16 inside) {
+        return sample_float_slice<true>(sampler, level, filter, x, y, number * I32x16(level.slice), inside);
+    };
+    const Color first = slice(z.first, z.first_inside);
     if (filter == Filter::kNearest) return first;
-    return lerp(first, sample_float_slice(sampler, level, filter, x, y, z.second * slice, z.second_inside),
-                z.weight);
+    return lerp(first, slice(z.second, z.second_inside), z.weight);
 }
 
 // A texel of a depth texture as a float, with the reference's roundings: of 32 bits 23 count.
