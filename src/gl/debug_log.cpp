@@ -2,18 +2,13 @@
 #include "gl/debug_log.h"
 
 #include <cstdio>
-#include <cstring>
 
 #include "simd/environment.h"
 
 namespace terrazzo::gl {
 
 bool debug_enabled() {
-    static const bool enabled = [] {
-        const char* value = setting("TERRAZZO_DEBUG");
-        return value && *value && std::strcmp(value, "0") != 0;
-    }();
-    return enabled;
+    return debug_wishes().errors;
 }
 
 void debug_log(const char* command, const char* message) {

@@ -149,6 +149,7 @@ struct Sampler {
 };
 
 struct FragmentState;
+struct StageCount;
 struct TextureStage;
 struct Primitive;
 struct Bin;
@@ -279,6 +280,8 @@ struct FragmentState {
         bool shows_texels = false;      // texels are what goes to the output
         bool exact_coordinates = true;  // of textures: rounded as the reference rounds them
         uint8_t tiles = 0;              // how many entries a batch takes
+        // Where somebody asks which stages are taken (stage_log.h); the second of multisampled targets.
+        StageCount *count = nullptr, *sample_count = nullptr;
     } stages;
     TileKernel kernel = nullptr;
     SampleKernel sample_kernel = nullptr;  // where the target is multisampled

@@ -1,6 +1,7 @@
 // The pixel kernels of one instruction set: the general one, the specialised ones, and the choice among them.
 #include "raster/kernel_table.h"
 #include "raster/pixel/shade_samples.h"
+#include "raster/stage_log.h"
 #include "raster/stages/stages.h"
 
 namespace terrazzo::TERRAZZO_ISA_NAMESPACE {
@@ -157,6 +158,47 @@ SampleKernel select_sample_kernel(const FragmentKey& key) {
 }
 #endif
 
+// Instead of kernels where somebody asks which are taken: they count, and do what those would.
+template <int kSamples>
+void count_list(const char* kernel, bool is_slow, const CoveredTiles<kSamples>& list) {
+    StageNames names;
+    names.of[0] = {"kernel", -1, kernel, is_slow};
+    names.count = 1;
+    uint64_t fragments = 0;
+    for (int i = 0; i < list.count; ++i) {
+        uint32_t pixels = 0;
+        for (const uint16_t mask : list.entries[i].masks) pixels |= mask;
+        fragments += static_cast<uint64_t>(std::popcount(pixels));
+    }
+    if (StageCount* const count = count_of_stages(names))
+        count_drawn(*count, static_cast<uint64_t>(list.count), fragments);
+}
+const char* name_of(TileKernel kernel) {
+    return kernel == general_kernel ? "general" : kernel == stencil_image_kernel ? "stencil_image" : "fused";
+}
+const char* name_of(SampleKernel kernel) {
+    return kernel == general_sample_kernel         ? "samples_general"
+           : kernel == stencil_image_sample_kernel ? "samples_stencil_image"
+                                                   : "samples_fused";
+}
+void counted_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin, const TileList& list) {
+    const TileKernel kernel = primitive.steep ? general_kernel : select_kernel(state.key);
+    count_list(name_of(kernel), kernel == general_kernel, list);
+    kernel(state, primitive, bin, list);
+}
+void counted_sample_kernel(const FragmentState& state, const Primitive& primitive, Bin& bin,
+                           const SampleList& list) {
+    const SampleKernel kernel = primitive.steep ? general_sample_kernel : select_sample_kernel(state.key);
+    count_list(name_of(kernel), kernel == general_sample_kernel, list);
+    kernel(state, primitive, bin, list);
+}
+
+void count_ways(FragmentState& state) {
+    count_stages(state);
+    state.kernel = counted_kernel;
+    state.sample_kernel = counted_sample_kernel;
+}
+
 void choose(FragmentState& state, std::span<TextureStage> units) {
     state.kernel = select_kernel(state.key);
     state.sample_kernel = select_sample_kernel(state.key);
@@ -165,6 +207,7 @@ void choose(FragmentState& state, std::span<TextureStage> units) {
     if (state.texture_count == 0 && state.kernel != general_kernel) state.stages.is_batched = false;
     if (state.texture_count == 0 && state.sample_kernel != general_sample_kernel)
         state.stages.samples_are_batched = false;
+    if (logs_stages()) count_ways(state);
 }
 
 void fill(uint32_t* to, uint32_t value, size_t count) {
@@ -212,7 +255,8 @@ void draw_primitive(const Primitive& primitive, Bin& bin, Batch& batch) {
     find_tiles(primitive, bin, list);
     if (list.count == 0) return;
     if (state.stages.is_batched) return append(primitive, list, bin, batch);
-    const TileKernel kernel = primitive.steep ? general_kernel : state.kernel;
+    const TileKernel kernel =
+        primitive.steep && state.kernel != counted_kernel ? general_kernel : state.kernel;
     kernel(state, primitive, bin, list);
 }
 
@@ -228,7 +272,9 @@ void draw_multisampled(const Primitive& primitive, Bin& bin, Batch& batch) {
                 if (!(state.key.sample_mask >> s & 1)) list.entries[i].masks[s] = 0;
     }
     if (state.stages.samples_are_batched) return append(primitive, list, bin, batch);
-    const SampleKernel kernel = primitive.steep ? general_sample_kernel : state.sample_kernel;
+    const SampleKernel kernel = primitive.steep && state.sample_kernel != counted_sample_kernel
+                                    ? general_sample_kernel
+                                    : state.sample_kernel;
     kernel(state, primitive, bin, list);
 }
 

@@ -4,6 +4,7 @@
 
 #include "raster/stages/color.h"
 #include "raster/stages/coordinates.h"
+#include "raster/stages/names.h"
 #include "raster/stages/output.h"
 #include "raster/stages/samples.h"
 #include "raster/stages/test.h"
@@ -74,11 +75,26 @@ void choose_stages(FragmentState& state, std::span<TextureStage> units) {
         out.color = k.interpolated_color ? choose_color_stage<true>(state) : choose_color_stage<false>(state);
 }
 
+void count_stages(FragmentState& state) {
+    FragmentState::Stages& stages = state.stages;
+    StageNames names;
+    if (stages.is_batched) {
+        name_stages(state, false, names);
+        stages.count = count_of_stages(names);
+    }
+    if (stages.samples_are_batched) {
+        name_stages(state, true, names);
+        stages.sample_count = count_of_stages(names);
+    }
+}
+
 void flush(Bin& bin, Batch& batch) {
     if (batch.count == 0) return;
     const FragmentState& state = *batch.state;
     const FragmentState::Stages& stages = state.stages;
     const bool by_samples = bin.color_alike || bin.depth_alike || bin.stencil_alike;
+    if (StageCount* const count = by_samples ? stages.sample_count : stages.count) [[unlikely]]
+        count_batch(batch, *count);
     batch.to_centre = by_samples && state.multisample ? 0.5f : 0.0f;
     if (const Stage test = by_samples ? stages.sample_test : stages.test) test(state, bin, batch);
     if (stages.shades && batch.count != 0) {

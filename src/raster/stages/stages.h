@@ -13,6 +13,8 @@ using namespace raster;
 // The part of KernelTable::choose that is about stages, and its flush.
 void choose_stages(FragmentState& state, std::span<TextureStage> units);
 void flush(Bin& bin, Batch& batch);
+// Has what goes through a state's stages counted, once they are chosen (stage_log.h).
+void count_stages(FragmentState& state);
 
 // Adds the tiles that a primitive covers in a bin to its batch.
 template <int kSamples>
