@@ -5,6 +5,7 @@
 #include <cctype>
 #include <future>
 #include <memory>
+#include <sstream>
 
 #include "kit/dialogue.h"
 #include "rounds.h"
@@ -28,6 +29,9 @@ bool draws_with(const std::string& renderer, const std::string& isa) {
     return isa.empty() || plain(renderer).find(plain(isa)) != std::string::npos;
 }
 
+// Small: which stages there are does not depend on the size.
+constexpr int kWaysSize = 32;
+
 class Contestant {
   public:
     Contestant(const StatePlan& plan, const StateContender& contender)
@@ -44,6 +48,7 @@ class Contestant {
         run.picture = result->at("colour").get_binary();
         if (is_uniform(state.state, run.picture)) run.failures.push_back("the picture is uniform");
         run.opened = draws_with(run.renderer, m_contender.isa);
+        if (run.renderer.find("Terrazzo") != std::string::npos) find_ways(state, run);
         if (!run.opened) run.failures.push_back("not drawn with " + m_contender.isa + ": " + run.renderer);
     }
     void measure(StateRun& run) {
@@ -55,7 +60,15 @@ class Contestant {
     }
 
   private:
-    void start() {
+    // In a process of its own, which tells at its end. That it counts would be measured otherwise.
+    void find_ways(const states::NamedState& state, StateRun& run) const {
+        kit::ChildRequest request = child();
+        request.environment.emplace_back("TERRAZZO_DEBUG", "stages");
+        kit::Dialogue dialogue(request);
+        dialogue.ask({{"open", state.state.text()}, {"width", kWaysSize}, {"height", kWaysSize}});
+        run.ways = ways_of(dialogue.finish());
+    }
+    kit::ChildRequest child() const {
         kit::ChildRequest request;
         request.executable = m_plan.draw_program;
         request.task = "states";
@@ -63,8 +76,9 @@ class Contestant {
         request.environment = thread_environment(m_plan.threads);
         if (!m_contender.isa.empty()) request.environment.emplace_back("TERRAZZO_ISA", m_contender.isa);
         request.timeout = kLongestAnswer;
-        m_child.emplace(request);
+        return request;
     }
+    void start() { m_child.emplace(child()); }
     std::optional<nlohmann::json> ask(const nlohmann::json& question, StateRun& run) {
         kit::ChildReport report = m_child->ask(question);
         if (report.finished()) return std::move(report.result);
@@ -103,6 +117,34 @@ void open_all(const std::vector<std::unique_ptr<Contestant>>& contestants, State
 }
 
 }  // namespace
+
+std::vector<std::string> ways_of(const std::string& log) {
+    std::vector<std::string> ways;
+    std::istringstream lines(log);
+    // "terrazzo: stages: end: 12 tiles, 192 fragments: output=store"
+    const std::string counted = " fragments: ";
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t at = line.find(counted);
+        if (line.rfind("terrazzo: stages: end: ", 0) == 0 && at != std::string::npos)
+            ways.push_back(line.substr(at + counted.size()));
+    }
+    return ways;
+}
+
+std::vector<std::string> slow_stages_of(const std::string& way) {
+    std::vector<std::string> slow;
+    std::istringstream stages(way);
+    const std::string mark = "(slow)";
+    for (std::string stage; stages >> stage;)
+        if (stage.size() > mark.size() && stage.compare(stage.size() - mark.size(), mark.size(), mark) == 0)
+            slow.push_back(stage.substr(0, stage.size() - mark.size()));
+    return slow;
+}
+
+bool StateRun::has_slow_stage() const {
+    return std::any_of(ways.begin(), ways.end(),
+                       [](const std::string& way) { return !slow_stages_of(way).empty(); });
+}
 
 std::vector<StateRow> run_states(const StatePlan& plan, const std::function<void(StateRow&)>& done) {
     std::vector<std::unique_ptr<Contestant>> contestants;

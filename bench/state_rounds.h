@@ -27,6 +27,7 @@ struct StatePlan {
     // The last is the baseline.
     std::vector<StateContender> contenders;
     std::vector<states::NamedState> states;
+    std::uint64_t seed = 0;  // of the random ones among them
     int threads = 0;
     int rounds = 5;
     double seconds = 0.008;  // the least of a measurement; 0: a single frame
@@ -43,9 +44,16 @@ struct StateRun {
     std::vector<double> cpu_seconds, wall_seconds;
     std::optional<PictureDifference> difference;  // from the baseline's
     std::vector<std::uint8_t> picture;            // when it differs, and the baseline's then
+    // Ways that fragments take through ours, as TERRAZZO_DEBUG=stages tells them.
+    std::vector<std::string> ways;
 
     bool measured() const { return !cpu_seconds.empty(); }
+    bool has_slow_stage() const;
 };
+
+// The ways among what a library wrote to standard error, and the stages that such a way marks as slow.
+std::vector<std::string> ways_of(const std::string& log);
+std::vector<std::string> slow_stages_of(const std::string& way);
 
 struct StateRow {
     states::NamedState state;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "rounds.h"
 
@@ -33,18 +34,21 @@ nlohmann::json to_json(const StateContender& contender, const StateRun& run) {
     if (run.difference)
         json["picture"] = {{"differing_share", run.difference->share},
                            {"largest_difference", run.difference->largest}};
+    if (!run.ways.empty()) json["ways"] = run.ways;
     return json;
+}
+
+nlohmann::json to_json(const SlowStages& stages) {
+    return {{"states", stages.states}, {"of", stages.known}, {"stages", stages.by_stage}};
 }
 
 nlohmann::json to_json(const StateSummary& summary) {
     nlohmann::json histogram = nlohmann::json::array();
     for (std::size_t bin = 0; bin < summary.histogram.size(); ++bin)
         histogram.push_back({{"ratios", bin_name(bin)}, {"states", summary.histogram[bin]}});
-    return {{"of", summary.of},
-            {"states", summary.count},
-            {"geometric_mean", summary.geometric_mean},
-            {"worst", summary.worst},
-            {"histogram", std::move(histogram)}};
+    return {
+        {"of", summary.of},       {"states", summary.count},    {"geometric_mean", summary.geometric_mean},
+        {"worst", summary.worst}, {"slower", summary.slower()}, {"histogram", std::move(histogram)}};
 }
 
 // What the contender's renderer called itself first.
@@ -86,13 +90,29 @@ StateSummary summarize(std::string of, const std::vector<double>& ratios) {
     return summary;
 }
 
-std::vector<StateSummary> summaries(const std::vector<StateRow>& rows, std::size_t contender, TimeKind kind) {
+Rows rows_of(const std::vector<StateRow>& rows) {
+    Rows pointers;
+    for (const StateRow& row : rows) pointers.push_back(&row);
+    return pointers;
+}
+
+std::vector<Population> populations(const std::vector<StateRow>& rows) {
+    Population named{"named", {}}, random{"random", {}};
+    for (const StateRow& row : rows)
+        (row.state.name.rfind("random/", 0) == 0 ? random : named).rows.push_back(&row);
+    std::vector<Population> result;
+    for (Population* const population : {&named, &random})
+        if (!population->rows.empty()) result.push_back(std::move(*population));
+    return result;
+}
+
+std::vector<StateSummary> summaries(const Rows& rows, std::size_t contender, TimeKind kind) {
     const states::AxisEntry& geometry = states::entry(Axis::kGeometry);
     std::vector<std::vector<double>> ratios(geometry.values.size());
     std::vector<double> all;
-    for (const StateRow& row : rows)
-        if (const double value = ratio(row, contender, kind); value > 0) {
-            ratios[row.state.state.index(Axis::kGeometry)].push_back(value);
+    for (const StateRow* const row : rows)
+        if (const double value = ratio(*row, contender, kind); value > 0) {
+            ratios[row->state.state.index(Axis::kGeometry)].push_back(value);
             all.push_back(value);
         }
     std::vector<StateSummary> result;
@@ -102,15 +122,38 @@ std::vector<StateSummary> summaries(const std::vector<StateRow>& rows, std::size
     return result;
 }
 
-std::vector<const StateRow*> slowest(const std::vector<StateRow>& rows, std::size_t contender,
-                                     TimeKind kind) {
-    std::vector<const StateRow*> sorted;
-    for (const StateRow& row : rows)
-        if (ratio(row, contender, kind) > 0) sorted.push_back(&row);
+Rows slowest(const Rows& rows, std::size_t contender, TimeKind kind) {
+    Rows sorted;
+    for (const StateRow* const row : rows)
+        if (ratio(*row, contender, kind) > 0) sorted.push_back(row);
     std::stable_sort(sorted.begin(), sorted.end(), [&](const StateRow* a, const StateRow* b) {
         return ratio(*a, contender, kind) < ratio(*b, contender, kind);
     });
     return sorted;
+}
+
+SlowStages slow_stages(const Rows& rows, std::size_t contender) {
+    SlowStages stages;
+    for (const StateRow* const row : rows) {
+        const StateRun& run = row->runs[contender];
+        stages.known += !run.ways.empty();
+        stages.states += run.has_slow_stage();
+        std::set<std::string> taken;
+        for (const std::string& way : run.ways)
+            for (std::string& stage : slow_stages_of(way)) taken.insert(std::move(stage));
+        for (const std::string& stage : taken) ++stages.by_stage[stage];
+    }
+    return stages;
+}
+
+std::string text_of(const SlowStages& stages) {
+    if (stages.known == 0) return "";
+    std::string text =
+        "slow: " + std::to_string(stages.states) + " of " + std::to_string(stages.known) + " states";
+    std::string by_stage;
+    for (const auto& [stage, count] : stages.by_stage)
+        by_stage += (by_stage.empty() ? "" : ", ") + stage + " " + std::to_string(count);
+    return by_stage.empty() ? text : text + " (" + by_stage + ")";
 }
 
 nlohmann::json to_json(const StatePlan& plan, const std::vector<StateRow>& rows, TimeKind kind) {
@@ -119,6 +162,7 @@ nlohmann::json to_json(const StatePlan& plan, const std::vector<StateRow>& rows,
                         {"threads", plan.threads},
                         {"rounds", plan.rounds},
                         {"seconds", plan.seconds},
+                        {"seed", plan.seed},
                         {"clock", kind == TimeKind::kCpu ? "cpu" : "wall"},
                         {"baseline", plan.contenders.back().label}};
     for (std::size_t i = 0; i < plan.contenders.size(); ++i) {
@@ -128,8 +172,14 @@ nlohmann::json to_json(const StatePlan& plan, const std::vector<StateRow>& rows,
                              {"isa", contender.isa},
                              {"renderer", renderer_of(rows, i)}};
         if (i + 1 < plan.contenders.size())
-            for (const StateSummary& summary : summaries(rows, i, kind))
-                entry["summaries"].push_back(to_json(summary));
+            for (const Population& population : populations(rows)) {
+                nlohmann::json part{{"name", population.name}};
+                for (const StateSummary& summary : summaries(population.rows, i, kind))
+                    part["summaries"].push_back(to_json(summary));
+                if (const SlowStages slow = slow_stages(population.rows, i); slow.known > 0)
+                    part["slow"] = to_json(slow);
+                entry["populations"].push_back(std::move(part));
+            }
         json["contenders"].push_back(std::move(entry));
     }
     for (const StateRow& row : rows) {

@@ -81,16 +81,46 @@ TEST(StateSummary, BinsHoldTheirLowerBounds) {
 TEST(StateSummary, EachGeometryAndAll) {
     const std::vector<StateRow> rows{row("large", {1}, {2}), row("small", {1}, {8}), row("small", {1}, {2}),
                                      row("medium", {}, {1})};
-    const std::vector<StateSummary> all = summaries(rows, 0, TimeKind::kCpu);
+    const std::vector<StateSummary> all = summaries(rows_of(rows), 0, TimeKind::kCpu);
     ASSERT_EQ(all.size(), 3U);
     EXPECT_EQ(all[0].of, "large");
     EXPECT_EQ(all[1].of, "small");
     EXPECT_NEAR(all[1].geometric_mean, 4, 1e-12);
     EXPECT_EQ(all[2].of, "all");
     EXPECT_EQ(all[2].count, 3);
-    const std::vector<const StateRow*> sorted = slowest(rows, 0, TimeKind::kCpu);
+    const Rows sorted = slowest(rows_of(rows), 0, TimeKind::kCpu);
     ASSERT_EQ(sorted.size(), 3U);
     EXPECT_EQ(sorted.back(), &rows[1]);
+}
+
+TEST(StateSummary, RandomStatesAreAPopulationOfTheirOwn) {
+    std::vector<StateRow> rows{row("large", {1}, {2}), row("small", {1}, {8})};
+    EXPECT_EQ(populations(rows).size(), 1U);
+    rows[0].state.name = "random/7-0/large";
+    const std::vector<Population> both = populations(rows);
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0].name, "named");
+    EXPECT_EQ(both[0].rows, Rows{&rows[1]});
+    EXPECT_EQ(both[1].name, "random");
+    EXPECT_EQ(both[1].rows, Rows{&rows[0]});
+}
+
+TEST(StateSummary, SlowStagesAreCountedByState) {
+    const std::vector<std::string> ways = ways_of(
+        "terrazzo: stages: output=store\nterrazzo: glEnd: GL_INVALID_OPERATION: x\n"
+        "terrazzo: stages: end: 4 tiles, 64 fragments: test=less output=general(slow)\n"
+        "terrazzo: stages: end: 2 tiles, 32 fragments: test=general(slow) output=general(slow)\n"
+        "terrazzo: stages: end: slow: 2 of 2 ways, 96 of 96 fragments\n");
+    EXPECT_EQ(ways, (std::vector<std::string>{"test=less output=general(slow)",
+                                              "test=general(slow) output=general(slow)"}));
+    std::vector<StateRow> rows{row("large", {1}, {2}), row("large", {1}, {2}), row("large", {1}, {2})};
+    EXPECT_EQ(text_of(slow_stages(rows_of(rows), 0)), "");
+    rows[0].runs[0].ways = ways;
+    rows[1].runs[0].ways = {"test=less output=store"};
+    const SlowStages slow = slow_stages(rows_of(rows), 0);
+    EXPECT_EQ(slow.states, 1);
+    EXPECT_EQ(slow.known, 2);
+    EXPECT_EQ(text_of(slow), "slow: 1 of 2 states (output=general 1, test=general 1)");
 }
 
 TEST(StateSummary, JsonHasRowsAndFailures) {
@@ -98,6 +128,7 @@ TEST(StateSummary, JsonHasRowsAndFailures) {
     plan.contenders = {{"ours", "a.so", "avx2"}, {"theirs", "b.so", ""}};
     std::vector<StateRow> rows{row("large", {0.5}, {1})};
     rows[0].runs[0].failures = {"GL_INVALID_ENUM"};
+    rows[0].runs[0].ways = {"output=general(slow)"};
     rows[0].runs[0].difference = PictureDifference{0.25, 7};
     const nlohmann::json json = to_json(plan, rows, TimeKind::kCpu);
     EXPECT_EQ(json["baseline"], "theirs");
@@ -105,7 +136,8 @@ TEST(StateSummary, JsonHasRowsAndFailures) {
     EXPECT_EQ(json["states"][0]["runs"][0]["failures"][0], "GL_INVALID_ENUM");
     EXPECT_EQ(json["states"][0]["runs"][0]["picture"]["differing_share"], 0.25);
     EXPECT_EQ(json["states"][0]["axes"]["geometry"], "large");
-    EXPECT_EQ(json["contenders"][0]["summaries"].back()["geometric_mean"], 2);
+    EXPECT_EQ(json["contenders"][0]["populations"][0]["summaries"].back()["geometric_mean"], 2);
+    EXPECT_EQ(json["contenders"][0]["populations"][0]["slow"]["states"], 1);
 }
 
 }  // namespace

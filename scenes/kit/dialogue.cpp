@@ -110,9 +110,13 @@ Dialogue::Dialogue(const ChildRequest& request)
 }
 
 Dialogue::~Dialogue() {
-    if (!is_open()) return;
+    finish();
+}
+
+std::string Dialogue::finish() {
+    if (!is_open()) return "";
     shutdown(m_socket, SHUT_WR);
-    end(wait_within(m_pid, kFarewell));
+    return end(wait_within(m_pid, kFarewell)).output;
 }
 
 ChildReport Dialogue::ask(const nlohmann::json& question) {

@@ -23,6 +23,8 @@ class Dialogue {
     Dialogue& operator=(const Dialogue&) = delete;
 
     ChildReport ask(const nlohmann::json& question);
+    // Lets the child end, and says what it printed.
+    std::string finish();
     // False when there is nobody to ask any more.
     bool is_open() const { return m_socket >= 0; }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,7 @@ nlohmann::json answer(const nlohmann::json& question, int& asked) {
     if (question == "exit") std::_Exit(7);
     if (question == "refuse") throw std::runtime_error("not today");
     if (question == "sleep") std::this_thread::sleep_for(std::chrono::hours(1));
+    if (question == "print") std::puts("hello");
     if (question == "large") return nlohmann::json::binary(std::vector<std::uint8_t>(9'000'000, 7));
     return asked;
 }
@@ -78,6 +80,14 @@ TEST(Dialogue, OneThatDoesNotAnswerIsEnded) {
     Dialogue dialogue(request(std::chrono::milliseconds(200)));
     EXPECT_EQ(dialogue.ask("sleep").status, Status::kTimedOut);
     EXPECT_FALSE(dialogue.is_open());
+}
+
+TEST(Dialogue, WhatAChildPrintedIsThereWhenItHasEnded) {
+    Dialogue dialogue(request());
+    EXPECT_EQ(dialogue.ask("print").result, 1);
+    EXPECT_EQ(dialogue.finish(), "hello\n");
+    EXPECT_FALSE(dialogue.is_open());
+    EXPECT_EQ(dialogue.finish(), "");
 }
 
 TEST(Dialogue, AMissingProgramIsAReport) {

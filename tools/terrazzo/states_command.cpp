@@ -101,23 +101,30 @@ void print_header(const bench::StatePlan& plan) {
     fmt::print(" {:>9}\n", plan.contenders.back().label + ", ms");
 }
 
-void print_summary(const bench::StatePlan& plan, const std::vector<StateRow>& rows, std::size_t contender,
+std::string title_of(const bench::StatePlan& plan, const bench::Population& population) {
+    if (population.name != "random") return population.name + " states";
+    return fmt::format("random states, seed {}", plan.seed);
+}
+
+void print_summary(const bench::StatePlan& plan, const bench::Population& population, std::size_t contender,
                    bench::TimeKind kind) {
     constexpr std::size_t kWorst = 10;
-    fmt::print("\n{} beside {}, {} time\n{:<10} {:>6} {:>7} {:>7}", plan.contenders[contender].label,
-               plan.contenders.back().label, kind == bench::TimeKind::kCpu ? "processor" : "wall", "geometry",
-               "states", "mean", "worst");
+    fmt::print("\n{} beside {}, {} time, {}\n{:<10} {:>6} {:>7} {:>7}", plan.contenders[contender].label,
+               plan.contenders.back().label, kind == bench::TimeKind::kCpu ? "processor" : "wall",
+               title_of(plan, population), "geometry", "states", "mean", "worst");
     for (std::size_t bin = 0; bin < bench::Histogram{}.size(); ++bin)
         fmt::print(" {:>6}", bench::bin_name(bin));
-    for (const bench::StateSummary& summary : bench::summaries(rows, contender, kind)) {
+    for (const bench::StateSummary& summary : bench::summaries(population.rows, contender, kind)) {
         fmt::print("\n{:<10} {:>6} {:>6.2f}x {:>6.2f}x", summary.of, summary.count, summary.geometric_mean,
                    summary.worst);
         for (const int count : summary.histogram) fmt::print(" {:>6}", count);
     }
     fmt::print("\nworst:\n");
-    const std::vector<const StateRow*> sorted = bench::slowest(rows, contender, kind);
+    const bench::Rows sorted = bench::slowest(population.rows, contender, kind);
     for (std::size_t i = 0; i < std::min(kWorst, sorted.size()); ++i)
         fmt::print("  {:>6.2f}x  {}\n", bench::ratio(*sorted[i], contender, kind), sorted[i]->state.name);
+    const std::string slow = bench::text_of(bench::slow_stages(population.rows, contender));
+    if (!slow.empty()) fmt::print("{}\n", slow);
 }
 
 // Failures and pictures; never times. Where the reference is wrong its picture says nothing.
@@ -126,6 +133,9 @@ std::vector<std::string> problems_of(const bench::StatePlan& plan, const StateRo
     for (std::size_t i = 0; i < row.runs.size(); ++i) {
         const std::string who = row.state.name + ", " + plan.contenders[i].label + ": ";
         for (const std::string& failure : row.runs[i].failures) problems.push_back(who + failure);
+        for (const std::string& way : row.runs[i].ways)
+            if (way.find("unnamed") != std::string::npos)
+                problems.push_back(who + "a stage has no name: " + way);
         const auto& difference = row.runs[i].difference;
         if (difference && difference->share > kTolerated && !states::reference_defect(row.state.state))
             problems.push_back(who + fmt::format("{:.2f} % of the values differ", difference->share * 100));
@@ -185,6 +195,7 @@ void expect_each_drew(const bench::StatePlan& plan, const std::vector<StateRow>&
 void run(Options& options) {
     bench::StatePlan& plan = options.plan;
     plan.states = chosen_states(options);
+    plan.seed = options.seed;
     if (options.list) {
         for (const states::NamedState& state : plan.states)
             fmt::print("{:<52} {}\n", state.name, state.state.text());
@@ -204,7 +215,9 @@ void run(Options& options) {
         if (!options.pictures.empty()) write_pictures(plan, options.pictures, row);
     });
     expect_each_drew(plan, rows);
-    for (std::size_t i = 0; i + 1 < plan.contenders.size(); ++i) print_summary(plan, rows, i, kind);
+    for (std::size_t i = 0; i + 1 < plan.contenders.size(); ++i)
+        for (const bench::Population& population : bench::populations(rows))
+            print_summary(plan, population, i, kind);
     if (!options.json_path.empty())
         report::write_text(options.json_path, bench::to_json(plan, rows, kind).dump(1) + "\n");
     if (!options.html_path.empty()) report::write_text(options.html_path, states_page(plan, rows, kind));

@@ -26,6 +26,7 @@ struct Page {
     const bench::StatePlan& plan;
     const std::vector<StateRow>& rows;
     bench::TimeKind kind;
+    std::vector<bench::Population> populations;
 
     std::size_t contenders() const { return plan.contenders.size() - 1; }
     const std::string& label(std::size_t i) const { return plan.contenders[i].label; }
@@ -39,41 +40,46 @@ std::string ratio_cell(double ratio) {
 
 std::string tiles(const Page& page) {
     std::string html = "<div class=\"totals\">";
-    for (std::size_t i = 0; i < page.contenders(); ++i) {
-        const bench::StateSummary all = bench::summaries(page.rows, i, page.kind).back();
-        html += fmt::format(
-            "<div><b>{:.2f}x</b><span>{}, geometric mean of {} states; the slowest {:.2f}x</span></div>",
-            all.geometric_mean, escaped(page.label(i)), all.count, all.worst);
-    }
+    for (std::size_t i = 0; i < page.contenders(); ++i)
+        for (const bench::Population& population : page.populations) {
+            const bench::StateSummary all = bench::summaries(population.rows, i, page.kind).back();
+            html += fmt::format(
+                "<div><b>{:.2f}x</b><span>{}, geometric mean of {} {} states; {} slower than {}, the slowest "
+                "{:.2f}x</span></div>",
+                all.geometric_mean, escaped(page.label(i)), all.count, population.name, all.slower(),
+                escaped(page.baseline()), all.worst);
+        }
     return html + "</div>\n";
 }
 
 std::string histogram_table(const Page& page) {
     std::string html =
         "<div "
-        "class=\"figures\"><table><tr><th>library</th><th>geometry</th><th>states</th><th>mean</"
+        "class=\"figures\"><table><tr><th>library</th><th>states</th><th>geometry</th><th>count</"
+        "th><th>mean</"
         "th><th>slowest</th>";
     for (std::size_t bin = 0; bin < bench::Histogram{}.size(); ++bin)
         html += "<th>" + escaped(bench::bin_name(bin)) + "</th>";
     html += "</tr>\n";
     for (std::size_t i = 0; i < page.contenders(); ++i)
-        for (const bench::StateSummary& summary : bench::summaries(page.rows, i, page.kind)) {
-            html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", escaped(page.label(i)), summary.of,
-                                summary.count);
-            html += ratio_cell(summary.geometric_mean) + ratio_cell(summary.worst);
-            for (const int count : summary.histogram) html += fmt::format("<td>{}</td>", count);
-            html += "</tr>\n";
-        }
+        for (const bench::Population& population : page.populations)
+            for (const bench::StateSummary& summary : bench::summaries(population.rows, i, page.kind)) {
+                html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                                    escaped(page.label(i)), population.name, summary.of, summary.count);
+                html += ratio_cell(summary.geometric_mean) + ratio_cell(summary.worst);
+                for (const int count : summary.histogram) html += fmt::format("<td>{}</td>", count);
+                html += "</tr>\n";
+            }
     return html + "</table></div>\n";
 }
 
 // Ratios in rising order over the share of states, a curve a geometry.
-std::string sorted_plot(const Page& page, std::size_t contender) {
+std::string sorted_plot(const Page& page, const bench::Rows& rows, std::size_t contender) {
     std::string data, curves;
     const states::AxisEntry& geometry = states::entry(Axis::kGeometry);
     for (std::size_t g = 0; g < geometry.values.size(); ++g) {
         std::vector<double> ratios;
-        for (const StateRow* row : bench::slowest(page.rows, contender, page.kind))
+        for (const StateRow* row : bench::slowest(rows, contender, page.kind))
             if (row->state.state.index(Axis::kGeometry) == g)
                 ratios.push_back(bench::ratio(*row, contender, page.kind));
         if (ratios.empty()) continue;
@@ -97,8 +103,8 @@ std::string sorted_plot(const Page& page, std::size_t contender) {
         760, 340);
 }
 
-std::string histogram_plot(const Page& page, std::size_t contender) {
-    const std::vector<bench::StateSummary> summaries = bench::summaries(page.rows, contender, page.kind);
+std::string histogram_plot(const Page& page, const bench::Rows& rows, std::size_t contender) {
+    const std::vector<bench::StateSummary> summaries = bench::summaries(rows, contender, page.kind);
     std::string data = "$h << EOD\n";
     for (std::size_t bin = 0; bin < bench::Histogram{}.size(); ++bin) {
         data += "\"" + bench::bin_name(bin) + "\"";
@@ -139,8 +145,8 @@ std::string table_row(const Page& page, const StateRow& row) {
     return html + fmt::format("<td>{}</td></tr>\n", escaped(row.state.state.text()));
 }
 
-std::string slowest_table(const Page& page, std::size_t contender) {
-    const std::vector<const StateRow*> sorted = bench::slowest(page.rows, contender, page.kind);
+std::string slowest_table(const Page& page, const bench::Rows& rows, std::size_t contender) {
+    const bench::Rows sorted = bench::slowest(rows, contender, page.kind);
     std::string html = "<div class=\"figures\"><table>" + table_header(page);
     for (std::size_t i = 0; i < std::min(kSlowest, sorted.size()); ++i) html += table_row(page, *sorted[i]);
     return html + "</table></div>\n";
@@ -175,6 +181,16 @@ std::string failures(const Page& page) {
     return html.empty() ? html : "<h2>Failures</h2><ul class=\"problems\">" + html + "</ul>\n";
 }
 
+std::string population_part(const Page& page, const bench::Population& population, std::size_t contender) {
+    std::string html = fmt::format("<h2>{}, {} states</h2>\n<div class=\"card\">",
+                                   escaped(page.label(contender)), population.name);
+    html += sorted_plot(page, population.rows, contender) + histogram_plot(page, population.rows, contender);
+    const std::string slow = bench::text_of(bench::slow_stages(population.rows, contender));
+    if (!slow.empty()) html += "<div class=\"theme\">" + escaped(slow) + "</div>";
+    return html + fmt::format("</div>\n<h3>The {} slowest</h3>\n", kSlowest) +
+           slowest_table(page, population.rows, contender);
+}
+
 }  // namespace
 
 OIIO::ImageBuf picture_of(const bench::StatePlan& plan, const StateRow& row, std::size_t contender) {
@@ -188,20 +204,19 @@ OIIO::ImageBuf picture_of(const bench::StatePlan& plan, const StateRow& row, std
 
 std::string states_page(const bench::StatePlan& plan, const std::vector<StateRow>& rows,
                         bench::TimeKind kind) {
-    const Page page{plan, rows, kind};
+    const Page page{plan, rows, kind, bench::populations(rows)};
     std::string html = report::page_head("States");
     html += fmt::format(
         "<h1>States</h1><p class=\"lead\">{} states at {}x{}, {} threads, each in a context of its own, "
         "measured in turn with {}. "
-        "Ratios are {}'s median {} time of a frame by the other's: more is faster.</p>\n",
+        "Ratios are {}'s median {} time of a frame by the other's: more is faster. Random states are of seed "
+        "{}.</p>\n",
         rows.size(), plan.width, plan.height, plan.threads, escaped(page.baseline()),
-        escaped(page.baseline()), kind == bench::TimeKind::kCpu ? "processor" : "wall clock");
+        escaped(page.baseline()), kind == bench::TimeKind::kCpu ? "processor" : "wall clock", plan.seed);
     html += tiles(page) + histogram_table(page);
-    for (std::size_t i = 0; i < page.contenders(); ++i) {
-        html += fmt::format("<h2>{}</h2>\n<div class=\"card\">", escaped(page.label(i)));
-        html += sorted_plot(page, i) + histogram_plot(page, i) + "</div>\n";
-        html += fmt::format("<h3>The {} slowest</h3>\n", kSlowest) + slowest_table(page, i);
-    }
+    for (std::size_t i = 0; i < page.contenders(); ++i)
+        for (const bench::Population& population : page.populations)
+            html += population_part(page, population, i);
     html += failures(page) + pictures(page);
     html += "<h2>All states</h2><div class=\"figures\"><table>" + table_header(page);
     for (const StateRow& row : rows) html += table_row(page, row);
