@@ -1,10 +1,14 @@
 // What the benchmark of states makes of its measurements: ratios, means, histograms, differences of pictures.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <limits>
 
+#include "report_parts.h"
 #include "state_summary.h"
 
 namespace terrazzo::bench {
@@ -138,6 +142,50 @@ TEST(StateSummary, JsonHasRowsAndFailures) {
     EXPECT_EQ(json["states"][0]["axes"]["geometry"], "large");
     EXPECT_EQ(json["contenders"][0]["populations"][0]["summaries"].back()["geometric_mean"], 2);
     EXPECT_EQ(json["contenders"][0]["populations"][0]["slow"]["states"], 1);
+}
+
+class ReportParts : public testing::Test {
+  protected:
+    ReportParts() : m_path(testing::TempDir() + "parts-" + std::to_string(getpid()) + ".json") {}
+    ~ReportParts() override { std::remove(m_path.c_str()); }
+
+    std::vector<ReportPart> load(const std::string& text) {
+        std::ofstream(m_path) << text;
+        return load_parts(m_path);
+    }
+
+  private:
+    std::string m_path;
+};
+
+TEST_F(ReportParts, RatiosAreMediansOfTheLastByTheOthers) {
+    const std::vector<ReportPart> parts = load(
+        R"([{"title": "Traces", "about": "a", "contenders": ["ours", "theirs"], "rows": [
+             {"name": "one", "times": {"ours": [2, 1, 4], "theirs": [6]}},
+             {"name": "two", "times": {"ours": [3], "theirs": [1, 2]}, "note": "n"},
+             {"name": "lost", "times": {"ours": [], "theirs": [1]}}]},
+            {"title": "MuJoCo", "about": "b", "contenders": ["ours", "theirs"], "rows": [], "problem": "no"}])");
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0].rows[0].ratio(0), 3);
+    EXPECT_EQ(parts[0].rows[1].ratio(0), 0.5);
+    EXPECT_EQ(parts[0].rows[2].ratio(0), 0);
+    const StateSummary summary = summary_of(parts[0], 0);
+    EXPECT_EQ(summary.count, 2);
+    EXPECT_EQ(summary.slower(), 1);
+    EXPECT_EQ(summary.worst, 0.5);
+    EXPECT_EQ(slowest(parts[0], 0).front()->name, "two");
+    EXPECT_EQ(parts[1].problem, "no");
+    EXPECT_EQ(to_json(parts)[0]["rows"][0]["runs"][0]["ratio"], 3);
+    EXPECT_EQ(to_json(parts)[0]["summaries"][0]["slower"], 1);
+}
+
+TEST_F(ReportParts, WhatIsNoPartIsRefusedInWords) {
+    EXPECT_THROW(load_parts("/no/such/file"), std::runtime_error);
+    EXPECT_THROW(load("["), std::runtime_error);
+    EXPECT_THROW(load(R"([{"title": 3}])"), std::runtime_error);
+    EXPECT_THROW(
+        load(R"([{"title": "a", "about": "", "contenders": ["x"], "rows": [{"name": "r", "times": {}}]}])"),
+        std::runtime_error);
 }
 
 }  // namespace

@@ -64,9 +64,10 @@ def frames_a_second(trace, environment, replay):
     return float(found.group(1)) if found else None
 
 
-def draw(name, command, environments, output, rounds, replay):
+def draw(name, command, environments, output, rounds, replay, seconds=None):
     """What the report says of one program."""
-    seconds, egl, _, about = PROGRAMS[name]
+    usual, egl, _, about = PROGRAMS[name]
+    seconds = seconds or usual
     report = {"name": name, "about": about, "frames": 0, "within_one": [], "largest": 0, "fps": {"mesa": [], "terrazzo": []}}
     with tempfile.TemporaryDirectory() as home:
         mesa, ours = (environment | known.belongings(home) for environment in environments)
@@ -107,6 +108,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=HERE.parents[1] / "build")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("out/demo/programs"))
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--seconds", type=float, help="how long each program is recorded, instead of its own time")
     parser.add_argument("names", nargs="*", default=list(PROGRAMS), metavar="NAME")
     options = parser.parse_args()
     try:
@@ -126,7 +128,7 @@ def main():
             sys.exit(f"the libraries are not the two to be compared: {report['renderers']}")
         for name, command in commands.items():
             if command:
-                report["programs"].append(draw(name, command, environments, output, options.rounds, replay))
+                report["programs"].append(draw(name, command, environments, output, options.rounds, replay, options.seconds))
                 print(summary(report["programs"][-1]), flush=True)
     if absent:
         print("not installed and left out:", ", ".join(absent))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Windows, measured beside Mesa's llvmpipe in one run: frames a second of glxgears, the cost of a swap, the time to the
-first frame and, with --traces, the CPU time of replaying apitrace traces with one thread each.
+first frame and, with --traces, the CPU time of replaying apitrace traces with one thread each, the tool's own taken off.
 
 usage: windows.py [--build FOLDER] [--rounds N] [--traces FOLDER] [--only WORD...]
 Everything is interleaved and the medians are printed with their ratio (above 1: Terrazzo is faster). Needs Xvfb,
@@ -11,15 +11,15 @@ import argparse
 import os
 import pathlib
 import re
-import resource
 import statistics
 import subprocess
 import sys
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parents[1] / "tests" / "windows"), str(HERE.parents[1] / "tests" / "programs")]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parents[1] / "tests" / "windows")]
 import on_display  # noqa: E402
+import parts  # noqa: E402
 
 
 def gears(environment, width, height, seconds=3):
@@ -40,13 +40,6 @@ def first_frame(environment, build):
     subprocess.run(["glxgears"], env=environment | {"LD_PRELOAD": str(build / "bench/libfirst_swap.so")},
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return 1e3 * (time.perf_counter() - begin)
-
-
-def cpu_of_replay(environment, tool, trace):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([tool, "--headless", "-b", trace], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def measure(name, unit, function, theirs, ours, rounds, more_is_better=False):
@@ -82,15 +75,14 @@ def main():
             measure("glxgears, start to first frame", "ms", lambda e: first_frame(e, build), theirs, ours,
                     5 * options.rounds)
         if "traces" in options.only and options.traces:
-            import replay
-            one = {"LP_NUM_THREADS": "0", "TERRAZZO_THREADS": "0"}
-            ratios = []
-            for trace in sorted(options.traces.glob("*.trace")):
-                if trace.stem.startswith("es1-") or not replay.frames_of(trace, theirs, 1)[0]:
-                    continue
-                tool = replay.tool_for(trace, theirs)
-                ratios.append(measure(trace.stem, "s", lambda e: cpu_of_replay(e | one, tool, trace), theirs, ours,
-                                      options.rounds))
+            import traces
+            part = traces.measure(parts.Settings(build, [], options.rounds), options.traces)[0]
+            ratios = [statistics.median(row.times["mesa"]) / statistics.median(row.times["terrazzo"]) for row in part.rows]
+            for row, ratio in zip(part.rows, ratios):
+                print(f"{row.name:<34} {statistics.median(row.times['mesa']):10.3f} "
+                      f"{statistics.median(row.times['terrazzo']):10.3f} s    {ratio:6.2f}")
+            if not ratios:
+                sys.exit(part.problem)
             print(f"geometric mean of {len(ratios)} traces: {statistics.geometric_mean(ratios):.2f}, "
                   f"lowest {min(ratios):.2f}")
 

@@ -84,6 +84,7 @@ def models(folder):
     states = (*smoke, "-f", "^plain/medium$")
     expect(0, "1 states drawn", *states, "--check")
     expect(0, "plain/medium", *states, "--json", folder / "states.json", "--html", folder / "states.html")
+    expect(1, "cannot read /no/parts.json", *states, "--with", "/no/parts.json")
     expect(1, "no state is called", *smoke, "-f", "^none$")
     expect(1, "no regular expression", *smoke, "-f", "(")
     expect(1, "two libraries", *states, "-l", "terrazzo")

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "commands.h"
+#include "parts_report.h"
 #include "places.h"
 #include "report/page.h"
 #include "report/pictures.h"
@@ -26,7 +27,7 @@ struct Options {
     std::vector<std::string> given_states;
     std::string filter;
     std::string clock;
-    std::string json_path, html_path, pictures;
+    std::string json_path, html_path, pictures, parts_path;
     bench::StatePlan plan;
     int size = 512;
     int random = 0;
@@ -208,6 +209,8 @@ void run(Options& options) {
     plan.tolerated_share = options.pictures.empty() ? kTolerated : -1;
     if (!options.pictures.empty()) report::check_picture_path(options.pictures + "/picture.png");
     const bench::TimeKind kind = time_kind(options);
+    const std::vector<bench::ReportPart> parts =
+        options.parts_path.empty() ? std::vector<bench::ReportPart>() : bench::load_parts(options.parts_path);
     if (!options.quiet) print_header(plan);
     const std::vector<StateRow> rows = bench::run_states(plan, [&](StateRow& row) {
         if (!options.quiet) print_row(row, kind);
@@ -218,9 +221,14 @@ void run(Options& options) {
     for (std::size_t i = 0; i + 1 < plan.contenders.size(); ++i)
         for (const bench::Population& population : bench::populations(rows))
             print_summary(plan, population, i, kind);
-    if (!options.json_path.empty())
-        report::write_text(options.json_path, bench::to_json(plan, rows, kind).dump(1) + "\n");
-    if (!options.html_path.empty()) report::write_text(options.html_path, states_page(plan, rows, kind));
+    print_parts(parts);
+    if (!options.json_path.empty()) {
+        nlohmann::json json = bench::to_json(plan, rows, kind);
+        json["parts"] = bench::to_json(parts);
+        report::write_text(options.json_path, json.dump(1) + "\n");
+    }
+    if (!options.html_path.empty())
+        report::write_text(options.html_path, states_page(plan, rows, kind, parts));
     if (options.check) check(plan, rows);
 }
 
@@ -268,6 +276,8 @@ void add_states_command(CLI::App& bench_command) {
         ->check(CLI::IsMember({"cpu", "wall"}));
     command->add_option("--json", options->json_path, "Write the figures as JSON");
     command->add_option("--html", options->html_path, "Write a page with plots and the pictures that differ");
+    command->add_option("--with", options->parts_path,
+                        "A file of other measurements, of bench/report.py, for one report of all");
     command->add_option("--pictures", options->pictures, "Write each picture as PNG to this folder");
     command->add_flag("--smoke", options->smoke, "One frame of 64x64 of each state");
     command->add_flag(

@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "parts_report.h"
 #include "report/figures.h"
 #include "report/page.h"
 #include "report/pictures.h"
@@ -49,7 +50,7 @@ std::string tiles(const Page& page) {
                 all.geometric_mean, escaped(page.label(i)), all.count, population.name, all.slower(),
                 escaped(page.baseline()), all.worst);
         }
-    return html + "</div>\n";
+    return html;
 }
 
 std::string histogram_table(const Page& page) {
@@ -202,8 +203,8 @@ OIIO::ImageBuf picture_of(const bench::StatePlan& plan, const StateRow& row, std
     return report::picture_of(raw, plan.width, plan.height, channels, OIIO::TypeDesc::FLOAT);
 }
 
-std::string states_page(const bench::StatePlan& plan, const std::vector<StateRow>& rows,
-                        bench::TimeKind kind) {
+std::string states_page(const bench::StatePlan& plan, const std::vector<StateRow>& rows, bench::TimeKind kind,
+                        const std::vector<bench::ReportPart>& parts) {
     const Page page{plan, rows, kind, bench::populations(rows)};
     std::string html = report::page_head("States");
     html += fmt::format(
@@ -213,11 +214,11 @@ std::string states_page(const bench::StatePlan& plan, const std::vector<StateRow
         "{}.</p>\n",
         rows.size(), plan.width, plan.height, plan.threads, escaped(page.baseline()),
         escaped(page.baseline()), kind == bench::TimeKind::kCpu ? "processor" : "wall clock", plan.seed);
-    html += tiles(page) + histogram_table(page);
+    html += tiles(page) + parts_tiles(parts) + "</div>\n" + histogram_table(page);
     for (std::size_t i = 0; i < page.contenders(); ++i)
         for (const bench::Population& population : page.populations)
             html += population_part(page, population, i);
-    html += failures(page) + pictures(page);
+    html += parts_sections(parts) + failures(page) + pictures(page);
     html += "<h2>All states</h2><div class=\"figures\"><table>" + table_header(page);
     for (const StateRow& row : rows) html += table_row(page, row);
     return html + "</table></div>\n" + report::page_foot();

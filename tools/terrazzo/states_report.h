@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "report_parts.h"
 #include "state_summary.h"
 
 namespace terrazzo {
@@ -14,6 +15,6 @@ OIIO::ImageBuf picture_of(const bench::StatePlan& plan, const bench::StateRow& r
 
 // Throws std::runtime_error when there is nothing to plot with.
 std::string states_page(const bench::StatePlan& plan, const std::vector<bench::StateRow>& rows,
-                        bench::TimeKind kind);
+                        bench::TimeKind kind, const std::vector<bench::ReportPart>& parts);
 
 }  // namespace terrazzo
