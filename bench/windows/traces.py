@@ -80,7 +80,8 @@ def missing(build: pathlib.Path) -> str:
     for tool in ("Xvfb", "apitrace", "glretrace", "eglretrace"):
         if not shutil.which(tool):
             return f"{tool} is not installed"
-    return "" if all((build / "bench" / name).exists() for name in ("libnull_driver.so", "swap_cost")) else "it was built without windows"
+    built = all((build / "bench" / name).exists() for name in ("libnull_driver.so", "swap_cost"))
+    return "" if built else f"{build} was built without windows"
 
 
 def record_gears(folder: pathlib.Path, environment: dict[str, str]) -> None:
@@ -128,5 +129,5 @@ def measure(settings: parts.Settings, folder: pathlib.Path | None) -> list[parts
     if left_out:
         result.about += " Left out, of another interface or without a frame: " + ", ".join(left_out) + "."
     if not result.rows:
-        result.problem = f"not measured: no trace in {folder} could be replayed" if not settings.smoke else "no trace was made"
+        result.problem = f"not measured: no trace in {'a recording' if settings.smoke else folder} could be replayed"
     return [result, frames_part(result, starts)]

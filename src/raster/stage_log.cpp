@@ -36,7 +36,7 @@ std::string text_of(const StageNames& names) {
         text += stage.name;
         if (stage.is_slow) text += "(slow)";
     }
-    return text;
+    return text.empty() ? "nothing" : text;
 }
 
 class Ways {

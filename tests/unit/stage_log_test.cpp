@@ -99,6 +99,11 @@ TEST_F(StageLogTest, NamesKernels) {
     EXPECT_EQ(log, "terrazzo: stages: kernel=general(slow)\n");
 }
 
+TEST_F(StageLogTest, NamesWhatLeavesNoTrace) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    EXPECT_EQ(log_of(draw), "terrazzo: stages: nothing\n");
+}
+
 TEST_F(StageLogTest, ErrorsAreNotAskedFor) {
     EXPECT_EQ(log_of([] { glGenLists(-1); }), "");
 }
