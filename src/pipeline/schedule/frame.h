@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/schedule/arena.h"
 #include "pipeline/schedule/fragment_block.h"
 #include "raster/kernel_table.h"
 #include "raster/primitive.h"
@@ -21,45 +22,6 @@
 #include "raster/target/texture_image.h"
 
 namespace terrazzo::pipeline {
-
-// Memory that is handed out in order and taken back all at once.
-class Arena {
-  public:
-    static constexpr size_t kBlockSize = 256 * 1024;
-
-    // 16-byte aligned; throws std::bad_alloc. At most kBlockSize bytes.
-    void* allocate(size_t bytes) {
-        bytes = (bytes + 15) & ~size_t{15};
-        if (bytes > m_left) next_block();
-        std::byte* const memory = m_next;
-        m_next += bytes;
-        m_left -= bytes;
-        return memory;
-    }
-    size_t used_bytes() const { return m_used_blocks * kBlockSize; }
-    // Takes everything back; blocks are kept for the next frame, but no more than the last ones needed.
-    void reset();
-
-    // How far the memory is handed out.
-    struct Mark {
-        size_t used_blocks;
-        std::byte* next;
-        size_t left;
-    };
-    Mark mark() const { return {m_used_blocks, m_next, m_left}; }
-    // Whether memory was handed out after the mark was taken.
-    bool is_after(const Mark& mark, const void* memory) const;
-    // Takes back what was handed out since.
-    void rewind(const Mark& mark);
-
-  private:
-    void next_block();
-
-    std::vector<std::unique_ptr<std::byte[]>> m_blocks;
-    size_t m_used_blocks = 0;
-    std::byte* m_next = nullptr;
-    size_t m_left = 0;
-};
 
 // The colour buffers of the target that a frame draws to. Of both the depth test sees one history.
 enum class DrawnColors : uint8_t { kFirst, kSecond, kBoth };
