@@ -73,7 +73,7 @@ void Renderer::add(const RasterState& raster, const std::shared_ptr<const Fragme
     const raster::FragmentState& state = fragment->point;
     const int plane_count = 2 + state.varyings.count;
     using raster::Primitive;
-    Primitive* const p = new (m_frame.arena().allocate(Primitive::size_of(plane_count))) Primitive;
+    Primitive* const p = new (m_frame.lists().arena().allocate(Primitive::size_of(plane_count))) Primitive;
     p->state = &state;
     p->x0 = static_cast<int16_t>(x0), p->x1 = static_cast<int16_t>(x1);
     p->y0 = static_cast<int16_t>(y0), p->y1 = static_cast<int16_t>(y1);
@@ -88,14 +88,14 @@ void Renderer::add(const RasterState& raster, const std::shared_ptr<const Fragme
         m_frame.keep(rect.owner, rect.data_bytes);
     } else if (rect.data != raster::RectangleData::kNone) {
         p->tile_data.tiles =
-            std::memcpy(m_frame.arena().allocate(rect.data_bytes), rect.tile_data.tiles, rect.data_bytes);
+            std::memcpy(m_frame.lists().arena().allocate(rect.data_bytes), rect.tile_data.tiles, rect.data_bytes);
     }
     float* const planes = p->planes();
     std::fill_n(planes, 3 * plane_count, 0.0f);
     planes[0] = rect.z;
     planes[1] = 1;
     std::copy_n(rect.varyings.begin(), state.varyings.count, planes + 2);
-    m_frame.add(*p);
+    m_frame.lists().add(*p);
 }
 
 void Renderer::clear(const raster::BinClear& clear) {

@@ -1,9 +1,8 @@
-// A frame: the draws and clears that wait for their pixels, sorted into bins (sort-middle, [Frolov 2020
-// §2.2.2], row R-11).
+// A frame: the draws and clears that wait for their pixels, sorted into bins (bin_lists.h).
 //
-// Set-up primitives, fragment states and bin lists live in the frame's arena; images that they refer to are
-// kept alive by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in
-// the order of its list. Frames of several threads may have one target: they are drawn one after the other.
+// Set-up primitives and bin lists live in the frame's arena; states and images that they refer to are kept
+// alive by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in the
+// order of its list. Frames of several threads may have one target: they are drawn one after the other.
 #pragma once
 
 #include <atomic>
@@ -13,10 +12,9 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/schedule/arena.h"
-#include "pipeline/schedule/fragment_block.h"
+#include "pipeline/schedule/bin_lists.h"
+#include "pipeline/schedule/kept.h"
 #include "raster/kernel_table.h"
-#include "raster/primitive.h"
 #include "raster/target/clear.h"
 #include "raster/target/target.h"
 #include "raster/target/texture_image.h"
@@ -46,24 +44,21 @@ class Frame {
     const std::shared_ptr<raster::Target>& target() const { return m_target; }
     DrawnColors colors() const { return m_colors; }
 
-    bool empty() const { return m_commands == 0; }
+    bool empty() const { return m_lists.command_count() == 0; }
     bool full() const {
-        return m_arena.used_bytes() + m_kept_bytes >= kMaxBytes ||
+        return m_lists.arena().used_bytes() + m_kept.bytes() >= kMaxBytes ||
                raster::TextureImage::abandoned_bytes() >= kMaxBytes;
     }
-    size_t command_count() const { return m_commands; }
-    Arena& arena() { return m_arena; }
+    // Where primitives go.
+    BinLists& lists() { return m_lists; }
 
     // What is queued at the moment, for taking back what is queued after it.
     struct Mark {
-        Arena::Mark arena;
-        size_t kept, kept_bytes, commands, primitives, counters;
+        BinLists::Mark lists;
+        Kept::Mark kept;
         uint64_t frame;
     };
-    Mark mark() const {
-        return {m_arena.mark(),           m_kept.size(), m_kept_bytes, m_commands, m_primitives,
-                m_sample_counters.size(), m_frame};
-    }
+    Mark mark() const { return {m_lists.mark(), m_kept.mark(), m_frame}; }
     // Whether nothing has been drawn since the mark was taken.
     bool still_holds(const Mark& mark) const { return mark.frame == m_frame; }
     // Forgets what was queued since. Of a frame that has been drawn meanwhile everything: it was queued
@@ -71,21 +66,10 @@ class Frame {
     void take_back(const Mark& mark);
 
     // Keeps a fragment state alive until the frame has been drawn.
-    void keep(std::shared_ptr<const FragmentBlock> block) {
-        if (!m_kept.empty() && m_kept.back() == block) return;
-        if (block->fill.samples_passed) m_sample_counters.push_back(block->fill.samples_passed);
-        const size_t bytes = block->size_in_bytes();
-        keep(std::move(block), bytes);
-    }
+    void keep(std::shared_ptr<const FragmentBlock> block) { m_kept.keep(std::move(block)); }
     // The same for other memory.
-    void keep(std::shared_ptr<const void> memory, size_t bytes) {
-        m_kept.push_back(std::move(memory));
-        m_kept_bytes += bytes;
-    }
+    void keep(std::shared_ptr<const void> memory, size_t bytes) { m_kept.keep(std::move(memory), bytes); }
 
-    // Into the lists of all bins that the primitive's rectangle touches, less those an edge shuts out. Throws
-    // std::bad_alloc, and may be in some of the lists then.
-    void add(const raster::Primitive& primitive);
     // A clear of a rectangle of pixels through masks. Throws std::bad_alloc and changes nothing then.
     void add(const raster::BinClear& clear);
 
@@ -101,20 +85,6 @@ class Frame {
     void draw(Group group, const std::function<void(int first, int count)>& finished);
 
   private:
-    // Bin lists are chunks of tagged pointers: bit 0 marks a clear.
-    struct Chunk {
-        Chunk* next;
-        uint32_t count;
-        uintptr_t commands[62];
-    };
-    static_assert(sizeof(Chunk) == 64 * sizeof(void*));
-    struct BinList {
-        Chunk* first = nullptr;
-        Chunk* last = nullptr;
-    };
-
-    void make_room(int bin);
-    void push(int bin, uintptr_t command);
     // `thread`: of those that draw, from 0.
     void draw_bin(int index, int thread) const;
     void draw_bins();
@@ -122,18 +92,13 @@ class Frame {
     void reset();
 
     std::shared_ptr<raster::Target> m_target;
-    Arena m_arena;
-    std::vector<BinList> m_bins;
+    BinLists m_lists;
+    Kept m_kept;
     std::vector<int> m_touched;                  // bins with something to draw; has room for all
     std::vector<std::atomic<int>> m_unfinished;  // bins of each row, while they are drawn to be handed over
     std::vector<std::unique_ptr<raster::Batch>> m_batches;  // one a thread
-    std::vector<std::shared_ptr<const void>> m_kept;
-    size_t m_kept_bytes = 0;  // without images
-    size_t m_commands = 0;
-    size_t m_primitives = 0;
-    uint64_t m_frame = 0;  // how many were drawn before
+    uint64_t m_frame = 0;                                   // how many were drawn before
     DrawnColors m_colors = DrawnColors::kFirst;
-    std::vector<uint64_t*> m_sample_counters;  // of queued occlusion queries
     mutable std::atomic<uint64_t> m_samples_passed =
         0;  // of all primitives that count samples, in drawn bins
 };
