@@ -9,61 +9,15 @@
 #include <cstdint>
 #include <memory>
 
-#include "pipeline/geometry/geometry_table.h"
+#include "pipeline/geometry/draw_state.h"
 #include "pipeline/geometry/primitive_observer.h"
+#include "pipeline/geometry/shaded_vertices.h"
 #include "pipeline/geometry/vertex_input.h"
-#include "pipeline/geometry/vertex_state.h"
 #include "pipeline/schedule/fragment_block.h"
 #include "pipeline/schedule/frame.h"
 #include "raster/target/copy_out.h"
 
 namespace terrazzo::pipeline {
-
-enum class FillMode : uint8_t { kFill, kLine, kPoint };
-
-// How primitives of all kinds become fragments (GL 1.5 chapter 3).
-struct RasterState {
-    int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // scissor within the target, in raster rows; x1 and y1 exclusive
-    bool row0_is_top = true;
-    bool multisample = false;  // as FragmentState's
-    bool flat = false;
-    bool cull_front = false, cull_back = false;
-    bool front_is_clockwise = false;
-    FillMode fill[2] = {FillMode::kFill, FillMode::kFill};  // front, back
-    bool offset_fill = false, offset_line = false, offset_point = false;
-    float offset_factor = 0;
-    float offset_units = 0;  // in depth: already times twice the smallest step of the format
-    bool polygon_stipple = false;
-    float line_width = 1;
-    bool line_smooth = false;
-    bool line_stipple = false;
-    int line_stipple_factor = 1;
-    uint16_t line_stipple_pattern = 0xffff;
-    float point_size = 1;
-    bool point_smooth = false;
-    bool point_sprite = false;  // squares of any size, not of whole pixels
-    uint8_t sprite_units = 0;   // one bit for each unit whose coordinates span such a square
-};
-
-// All that a draw needs besides its vertices.
-struct DrawState {
-    VertexState vertex;
-    RasterState raster;
-    std::shared_ptr<const FragmentBlock> fragment;
-};
-
-// A run of vertices: consecutive elements, or elements by index.
-struct VertexRange {
-    uint32_t first = 0;
-    uint32_t count = 0;
-    const uint32_t* indices = nullptr;  // null: first, first + 1, ...
-    // The vertices come as they were given, not through indices or a display list: the reference then cuts
-    // quads along their other diagonal where it can (doc/reference.md §3.1).
-    bool in_order = false;
-    // A strip, loop or polygon that was cut: it began in the draw before, or does not end with this one.
-    bool continues = false;
-    bool is_continued = false;
-};
 
 // A rectangle of pixels that share their varyings, as bitmaps and pixel rectangles are (GL 1.5 §3.6.4, §3.7).
 struct PixelRect {

@@ -78,4 +78,17 @@ enum class PrimitiveMode : uint8_t {
     kPolygon,
 };
 
+// A run of vertices: consecutive elements, or elements by index.
+struct VertexRange {
+    uint32_t first = 0;
+    uint32_t count = 0;
+    const uint32_t* indices = nullptr;  // null: first, first + 1, ...
+    // The vertices come as they were given, not through indices or a display list: the reference then cuts
+    // quads along their other diagonal where it can (doc/reference.md §3.1).
+    bool in_order = false;
+    // A strip, loop or polygon that was cut: it began in the draw before, or does not end with this one.
+    bool continues = false;
+    bool is_continued = false;
+};
+
 }  // namespace terrazzo::pipeline

@@ -8,99 +8,11 @@ namespace terrazzo::pipeline {
 
 namespace {
 
-// Vertices of one chunk of an indexed draw: enough to shade most that are used again only once.
-constexpr uint32_t kIndexedVertices = 12288;
-static_assert(kIndexedVertices + 16 <= ShadedVertices::kChunkSlots);
+static_assert(kIndexedPiece + 16 <= ShadedVertices::kChunkSlots);
 
 int column_count(const VertexState& state) {
     const bool back_colors = state.lighting.enabled && state.lighting.two_sided;
     return kFirstVarying + state.varyings.count * (back_colors ? 2 : 1);
-}
-
-// How many primitives `count` vertices make.
-uint32_t primitive_count(PrimitiveMode mode, uint32_t count) {
-    const auto beyond = [&](uint32_t used) { return count > used ? count - used : 0; };
-    switch (mode) {
-        case PrimitiveMode::kPoints:
-            return count;
-        case PrimitiveMode::kLines:
-            return count / 2;
-        case PrimitiveMode::kLineLoop:
-            return count >= 2 ? count : 0;
-        case PrimitiveMode::kLineStrip:
-            return beyond(1);
-        case PrimitiveMode::kTriangles:
-            return count / 3;
-        case PrimitiveMode::kTriangleStrip:
-        case PrimitiveMode::kTriangleFan:
-        case PrimitiveMode::kPolygon:
-            return beyond(2);
-        case PrimitiveMode::kQuads:
-            return count / 4;
-        case PrimitiveMode::kQuadStrip:
-            return beyond(2) / 2;
-    }
-    return 0;
-}
-
-// Positions [first, end) that primitives [first, last) use, besides the pivot.
-struct Positions {
-    uint32_t first, end;
-};
-Positions positions_of(PrimitiveMode mode, uint32_t first, uint32_t last, uint32_t count) {
-    switch (mode) {
-        case PrimitiveMode::kPoints:
-            return {first, last};
-        case PrimitiveMode::kLines:
-            return {2 * first, 2 * last};
-        case PrimitiveMode::kLineLoop:
-            return {first, std::min(last + 1, count)};
-        case PrimitiveMode::kLineStrip:
-            return {first, last + 1};
-        case PrimitiveMode::kTriangles:
-            return {3 * first, 3 * last};
-        case PrimitiveMode::kTriangleStrip:
-            return {first, last + 2};
-        case PrimitiveMode::kTriangleFan:
-        case PrimitiveMode::kPolygon:
-            return {first + 1, last + 2};
-        case PrimitiveMode::kQuads:
-            return {4 * first, 4 * last};
-        case PrimitiveMode::kQuadStrip:
-            return {2 * first, 2 * last + 2};
-    }
-    return {0, 0};
-}
-
-bool has_pivot(PrimitiveMode mode) {
-    return mode == PrimitiveMode::kTriangleFan || mode == PrimitiveMode::kPolygon ||
-           mode == PrimitiveMode::kLineLoop;
-}
-
-// Primitives of one chunk. Where vertices come without indices these are the pieces in which the reference
-// draws: it treats all of a piece alike if one vertex of it is clipped (doc/reference.md §3.1).
-uint32_t chunk_primitives(PrimitiveMode mode, const VertexRange& range) {
-    constexpr uint32_t kPiece = 4096, kFanPiece = 1024;
-    const uint32_t vertices = range.indices ? kIndexedVertices : kPiece;
-    switch (mode) {
-        case PrimitiveMode::kTriangles:
-            return vertices / 3;
-        case PrimitiveMode::kQuads:
-            return vertices / 4;
-        case PrimitiveMode::kLines:
-            return vertices / 2;
-        case PrimitiveMode::kQuadStrip:
-            return (vertices - 2) / 2;
-        case PrimitiveMode::kTriangleFan:
-        case PrimitiveMode::kPolygon:
-            return !range.indices && range.count > kPiece ? kFanPiece - 2 : vertices - 2;
-        case PrimitiveMode::kPoints:
-        case PrimitiveMode::kLineStrip:
-        case PrimitiveMode::kLineLoop:
-        case PrimitiveMode::kTriangleStrip:
-            break;
-    }
-    return vertices - 2;
 }
 
 }  // namespace
@@ -123,13 +35,13 @@ PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, S
 }
 
 void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {
-    const uint32_t primitives = primitive_count(mode, range.count);
-    const uint32_t step = chunk_primitives(mode, range);
-    for (uint32_t first = 0; first < primitives; first += step) {
+    const Pieces pieces(mode, range);
+    const uint32_t count = pieces.count();
+    for (uint32_t i = 0; i < count; ++i) {
         // The frame may be drawn and begun again between chunks; what this draw needs is kept by each anew.
         if (m_frame.full()) m_frame.draw();
         m_frame.keep(m_state.fragment);
-        const Piece piece{mode, range, first, std::min(first + step, primitives)};
+        const Piece piece = pieces[i];
         if (range.indices == nullptr || !shade_index_range(piece)) shade_positions(piece);
         m_next_slot = m_shaded;
         const bool clipped = is_clipped();
@@ -145,12 +57,12 @@ void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {
 // work.
 bool PrimitiveAssembler::shade_index_range(const Piece& piece) {
     const uint32_t* const indices = piece.range.indices;
-    const Positions at = positions_of(piece.mode, piece.first, piece.last, piece.range.count);
+    const Positions at = positions_of(piece);
     const auto [low, high] = std::minmax_element(indices + at.first, indices + at.end);
     const uint32_t base = has_pivot(piece.mode) ? std::min(*low, indices[0]) : *low;
     const uint32_t top = has_pivot(piece.mode) ? std::max(*high, indices[0]) : *high;
     const uint32_t span = top - base;  // one less than the vertices
-    if (span >= at.end - at.first || span >= kIndexedVertices) return false;
+    if (span >= at.end - at.first || span >= kIndexedPiece) return false;
     m_shaded = static_cast<int>(span + 1);
     m_geometry.shade_vertices(m_state.vertex, m_input, nullptr, base, m_shaded, m_vertices);
     m_chunk = {};
@@ -162,7 +74,7 @@ bool PrimitiveAssembler::shade_index_range(const Piece& piece) {
 // Shades the vertex at each position.
 void PrimitiveAssembler::shade_positions(const Piece& piece) {
     const VertexRange& range = piece.range;
-    const Positions at = positions_of(piece.mode, piece.first, piece.last, range.count);
+    const Positions at = positions_of(piece);
     const uint32_t* const elements = range.indices ? range.indices + at.first : nullptr;
     const int count = static_cast<int>(at.end - at.first);
     m_chunk = {};

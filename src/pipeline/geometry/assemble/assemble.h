@@ -5,8 +5,9 @@
 #pragma once
 
 #include "pipeline/geometry/assemble/clip.h"
+#include "pipeline/geometry/assemble/pieces.h"
 #include "pipeline/geometry/assemble/stages.h"
-#include "pipeline/geometry/renderer.h"
+#include "pipeline/geometry/draw_state.h"
 #include "pipeline/geometry/setup/primitive_setup.h"
 #include "pipeline/schedule/frame.h"
 
@@ -28,13 +29,6 @@ class PrimitiveAssembler {
         const uint32_t* indices = nullptr;  // set where slots are index - index_base
         uint32_t index_base = 0;
     };
-    // A piece of a draw: primitives [first, last) of the range.
-    struct Piece {
-        PrimitiveMode mode;
-        const VertexRange& range;
-        uint32_t first, last;
-    };
-
     bool shade_index_range(const Piece& piece);
     void shade_positions(const Piece& piece);
     bool is_clipped() const;

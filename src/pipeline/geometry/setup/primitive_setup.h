@@ -5,9 +5,9 @@
 // calls, the triangles by the next flush().
 #pragma once
 
+#include "pipeline/geometry/draw_state.h"
 #include "pipeline/geometry/geometry_table.h"
 #include "pipeline/geometry/primitive_observer.h"
-#include "pipeline/geometry/renderer.h"
 #include "pipeline/schedule/frame.h"
 
 namespace terrazzo::pipeline {
