@@ -5,7 +5,6 @@
 #include <cstring>
 #include <new>
 
-#include "pipeline/geometry/assemble/assemble.h"
 #include "pipeline/schedule/float_environment.h"
 #include "pipeline/schedule/statistics.h"
 
@@ -46,16 +45,32 @@ void Renderer::draw(const DrawState& state, const VertexInput& input, PrimitiveM
     if (m_frame.target() == nullptr) return;
     const FloatEnvironment environment;
     const StageTimer timer(statistics.vertex_nanoseconds);
-    queue([&] {
-        PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input).draw(mode, range);
-    });
+    const Pieces pieces(mode, range, m_piece_sizes);
+    queue([&] { draw_pieces(state, input, pieces); });
+}
+
+void Renderer::draw_pieces(const DrawState& state, const VertexInput& input, const Pieces& pieces) {
+    uint32_t next = 0;
+    if (m_parallel.is_worthwhile(state, pieces))
+        next = m_parallel.draw(m_frame, m_vertices, state, input, pieces);
+    const uint32_t count = pieces.count();
+    if (next == count) return;
+    PrimitiveAssembler assembler(m_frame.lists(), m_vertices, m_stipple_counter, state, input);
+    for (; next < count; ++next) {
+        // The frame may be drawn and begun again between pieces; what this draw needs is kept by each anew.
+        if (m_frame.full()) m_frame.draw();
+        m_frame.keep(state.fragment);
+        assembler.draw(pieces[next]);
+    }
 }
 
 void Renderer::observe(const DrawState& state, const VertexInput& input, PrimitiveMode mode,
                        const VertexRange& range, PrimitiveObserver& observer) {
     const FloatEnvironment environment;
-    PrimitiveAssembler(m_frame, m_vertices, m_pivot, m_stipple_counter, state, input, &observer)
-        .draw(mode, range);
+    PrimitiveAssembler assembler(m_frame.lists(), m_vertices, m_stipple_counter, state, input, &observer);
+    const Pieces pieces(mode, range, m_piece_sizes);
+    const uint32_t count = pieces.count();
+    for (uint32_t i = 0; i < count; ++i) assembler.draw(pieces[i]);
 }
 
 void Renderer::draw(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
@@ -87,8 +102,8 @@ void Renderer::add(const RasterState& raster, const std::shared_ptr<const Fragme
     if (rect.owner) {
         m_frame.keep(rect.owner, rect.data_bytes);
     } else if (rect.data != raster::RectangleData::kNone) {
-        p->tile_data.tiles =
-            std::memcpy(m_frame.lists().arena().allocate(rect.data_bytes), rect.tile_data.tiles, rect.data_bytes);
+        p->tile_data.tiles = std::memcpy(m_frame.lists().arena().allocate(rect.data_bytes),
+                                         rect.tile_data.tiles, rect.data_bytes);
     }
     float* const planes = p->planes();
     std::fill_n(planes, 3 * plane_count, 0.0f);

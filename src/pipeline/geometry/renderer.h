@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <memory>
 
+#include "pipeline/geometry/assemble/assemble.h"
 #include "pipeline/geometry/draw_state.h"
+#include "pipeline/geometry/parallel_draw.h"
 #include "pipeline/geometry/primitive_observer.h"
-#include "pipeline/geometry/shaded_vertices.h"
 #include "pipeline/geometry/vertex_input.h"
 #include "pipeline/schedule/fragment_block.h"
 #include "pipeline/schedule/frame.h"
@@ -58,15 +59,24 @@ class Renderer {
     // The same, with the picture copied out (raster/target/copy_out.h) bin by bin as it is finished.
     void finish(raster::PixelLayout layout, std::byte* row0, std::ptrdiff_t stride);
 
+    // For tests: cuts draws in another way, which shows (pieces.h), and says which go to all threads.
+    void set_pieces(const PieceSizes& sizes, uint32_t worth_waking) {
+        m_piece_sizes = sizes;
+        m_parallel.set_worth_waking(worth_waking);
+    }
+
   private:
     template <typename Add>
     void queue(Add add);
     void add(const RasterState& raster, const std::shared_ptr<const FragmentBlock>& fragment,
              const PixelRect& rect);
 
+    void draw_pieces(const DrawState& state, const VertexInput& input, const Pieces& pieces);
+
     Frame m_frame;
-    ShadedVertices m_vertices;
-    ShadedVertices m_pivot;
+    PieceVertices m_vertices;
+    ParallelDraw m_parallel;
+    PieceSizes m_piece_sizes;
     uint32_t m_stipple_counter = 0;
 };
 

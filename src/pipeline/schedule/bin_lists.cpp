@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <new>
+#include <utility>
 
 namespace terrazzo::pipeline {
 
@@ -32,6 +33,11 @@ bool outside_bin(const Primitive& primitive, int bin_x, int bin_y) {
 
 BinLists::Grid BinLists::grid_of(int across, int down) {
     return {std::vector<List>(static_cast<size_t>(across) * static_cast<size_t>(down)), across};
+}
+
+void BinLists::take_grid_of(const BinLists& other) {
+    if (bin_count() != other.bin_count()) m_grid.lists = std::vector<List>(other.m_grid.lists.size());
+    m_grid.across = other.m_grid.across;
 }
 
 // For one more command.
@@ -81,6 +87,30 @@ void BinLists::clear() {
     m_arena.reset();
     m_commands = 0;
     m_primitives = 0;
+}
+
+void BinLists::cut(Part& part) {
+    part.m_runs.clear();
+    for (int bin = 0; bin < bin_count(); ++bin) {
+        const List& list = m_grid.lists[static_cast<size_t>(bin)];
+        if (list.first) part.m_runs.push_back({bin, list.first, list.last});
+    }
+    for (const Part::Run& run : part.m_runs) m_grid.lists[static_cast<size_t>(run.bin)] = {};
+    part.m_commands = std::exchange(m_commands, 0);
+    part.m_primitives = std::exchange(m_primitives, 0);
+}
+
+void BinLists::append(const Part& part) {
+    // The ends of the lists were written by other threads.
+    for (const Part::Run& run : part.m_runs)
+        __builtin_prefetch(m_grid.lists[static_cast<size_t>(run.bin)].last, 1);
+    for (const Part::Run& run : part.m_runs) {
+        List& list = m_grid.lists[static_cast<size_t>(run.bin)];
+        (list.last ? list.last->next : list.first) = run.first;
+        list.last = run.last;
+    }
+    m_commands += part.m_commands;
+    m_primitives += part.m_primitives;
 }
 
 void BinLists::add(const Primitive& primitive) {

@@ -31,6 +31,8 @@ class BinLists {
     };
 
   public:
+    explicit BinLists(BlockStore& store) : m_arena(store) {}
+
     // The lists of a target of so many bins, row by row.
     struct Grid {
         std::vector<List> lists;
@@ -40,6 +42,8 @@ class BinLists {
     static Grid grid_of(int across, int down);
     // The lists must be empty.
     void set_grid(Grid grid) { m_grid = std::move(grid); }
+    // Empty lists for the same bins as the others'. Throws std::bad_alloc.
+    void take_grid_of(const BinLists& other);
 
     int bin_count() const { return static_cast<int>(m_grid.lists.size()); }
     bool is_touched(int bin) const { return m_grid.lists[static_cast<size_t>(bin)].first != nullptr; }
@@ -65,6 +69,22 @@ class BinLists {
     void take_back(const Mark& mark);
     // Forgets everything.
     void clear();
+
+    // What was in all lists, bin by bin.
+    class Part {
+        friend class BinLists;
+        struct Run {
+            int bin;
+            Chunk *first, *last;
+        };
+        std::vector<Run> m_runs;
+        size_t m_commands = 0;
+        size_t m_primitives = 0;
+    };
+    // Moves what is in the lists to `part`; the arena stays. Throws std::bad_alloc and leaves the lists then.
+    void cut(Part& part);
+    // Puts what another object's lists held to the ends of these.
+    void append(const Part& part);
 
     // Calls `primitive` or `clear` for each command of a bin.
     template <typename VisitPrimitive, typename VisitClear>

@@ -149,6 +149,7 @@ void Frame::reset() {
         statistics.pixels += m_samples_passed;
     }
     m_lists.clear();
+    m_blocks.reset();
     m_kept.clear();
     m_samples_passed = 0;
     ++m_frame;

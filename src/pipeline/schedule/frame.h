@@ -1,8 +1,9 @@
 // A frame: the draws and clears that wait for their pixels, sorted into bins (bin_lists.h).
 //
 // Set-up primitives and bin lists live in the frame's arena; states and images that they refer to are kept
-// alive by `keep`. A frame is filled by one thread, then drawn bin by bin, each bin by one thread, in the
-// order of its list. Frames of several threads may have one target: they are drawn one after the other.
+// alive by `keep`. A frame is filled by one thread, which others may hand parts of lists to (bin_lists.h),
+// then drawn bin by bin, each bin by one thread, in the order of its list. Frames of several threads may have
+// one target: they are drawn one after the other.
 #pragma once
 
 #include <atomic>
@@ -45,12 +46,15 @@ class Frame {
     DrawnColors colors() const { return m_colors; }
 
     bool empty() const { return m_lists.command_count() == 0; }
+    // Threads that fill lists for the frame may ask, too.
     bool full() const {
-        return m_lists.arena().used_bytes() + m_kept.bytes() >= kMaxBytes ||
+        return m_blocks.used_bytes() + m_kept.bytes() >= kMaxBytes ||
                raster::TextureImage::abandoned_bytes() >= kMaxBytes;
     }
     // Where primitives go.
     BinLists& lists() { return m_lists; }
+    // What lists of other threads take their memory from.
+    BlockStore& blocks() { return m_blocks; }
 
     // What is queued at the moment, for taking back what is queued after it.
     struct Mark {
@@ -92,7 +96,8 @@ class Frame {
     void reset();
 
     std::shared_ptr<raster::Target> m_target;
-    BinLists m_lists;
+    BlockStore m_blocks;
+    BinLists m_lists{m_blocks};
     Kept m_kept;
     std::vector<int> m_touched;                  // bins with something to draw; has room for all
     std::vector<std::atomic<int>> m_unfinished;  // bins of each row, while they are drawn to be handed over

@@ -8,7 +8,7 @@ namespace terrazzo::pipeline {
 
 namespace {
 
-static_assert(kIndexedPiece + 16 <= ShadedVertices::kChunkSlots);
+static_assert(PieceSizes::kMost + 16 <= ShadedVertices::kChunkSlots);
 
 int column_count(const VertexState& state) {
     const bool back_colors = state.lighting.enabled && state.lighting.two_sided;
@@ -17,40 +17,31 @@ int column_count(const VertexState& state) {
 
 }  // namespace
 
-PrimitiveAssembler::PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, ShadedVertices& pivot,
-                                       uint32_t& stipple_counter, const DrawState& state,
-                                       const VertexInput& input, PrimitiveObserver* observer)
-    : m_frame(frame),
-      m_vertices(vertices),
-      m_pivot(pivot),
+PrimitiveAssembler::PrimitiveAssembler(BinLists& lists, PieceVertices& vertices, uint32_t& stipple_counter,
+                                       const DrawState& state, const VertexInput& input,
+                                       PrimitiveObserver* observer)
+    : m_vertices(vertices.shaded),
+      m_pivot(vertices.pivot),
       m_state(state),
       m_input(input),
       m_geometry(geometry()),
       m_filled(triangle_setup(state)),
-      m_setup(frame, vertices, state, observer),
-      m_stages(m_setup, vertices, state, column_count(state.vertex), stipple_counter),
-      m_clipper(state.vertex, vertices, column_count(state.vertex), state.raster.flat) {
+      m_setup(lists, m_vertices, state, observer),
+      m_stages(m_setup, m_vertices, state, column_count(state.vertex), stipple_counter),
+      m_clipper(state.vertex, m_vertices, column_count(state.vertex), state.raster.flat) {
     // Smooth shapes put four columns behind the front colours' (smooth.cpp).
-    vertices.reserve(std::max(column_count(state.vertex), kFirstVarying + state.vertex.varyings.count + 4));
+    m_vertices.reserve(std::max(column_count(state.vertex), kFirstVarying + state.vertex.varyings.count + 4));
 }
 
-void PrimitiveAssembler::draw(PrimitiveMode mode, const VertexRange& range) {
-    const Pieces pieces(mode, range);
-    const uint32_t count = pieces.count();
-    for (uint32_t i = 0; i < count; ++i) {
-        // The frame may be drawn and begun again between chunks; what this draw needs is kept by each anew.
-        if (m_frame.full()) m_frame.draw();
-        m_frame.keep(m_state.fragment);
-        const Piece piece = pieces[i];
-        if (range.indices == nullptr || !shade_index_range(piece)) shade_positions(piece);
-        m_next_slot = m_shaded;
-        const bool clipped = is_clipped();
-        m_filled.cull_unsnapped = clipped;
-        m_stages.begin_piece(clipped);
-        m_direct = !clipped && !m_stages.takes_triangles();
-        assemble(piece);
-        m_setup.flush();
-    }
+void PrimitiveAssembler::draw(const Piece& piece) {
+    if (piece.range.indices == nullptr || !shade_index_range(piece)) shade_positions(piece);
+    m_next_slot = m_shaded;
+    const bool clipped = is_clipped();
+    m_filled.cull_unsnapped = clipped;
+    m_stages.begin_piece(clipped);
+    m_direct = !clipped && !m_stages.takes_triangles();
+    assemble(piece);
+    m_setup.flush();
 }
 
 // Shades each vertex of an indexed draw once, where the indices lie close enough together for that to be less
@@ -62,7 +53,7 @@ bool PrimitiveAssembler::shade_index_range(const Piece& piece) {
     const uint32_t base = has_pivot(piece.mode) ? std::min(*low, indices[0]) : *low;
     const uint32_t top = has_pivot(piece.mode) ? std::max(*high, indices[0]) : *high;
     const uint32_t span = top - base;  // one less than the vertices
-    if (span >= at.end - at.first || span >= kIndexedPiece) return false;
+    if (span >= at.end - at.first || span >= PieceSizes::kMost) return false;
     m_shaded = static_cast<int>(span + 1);
     m_geometry.shade_vertices(m_state.vertex, m_input, nullptr, base, m_shaded, m_vertices);
     m_chunk = {};

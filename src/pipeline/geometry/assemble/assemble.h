@@ -1,7 +1,6 @@
-// Primitive assembly (GL 1.5 §2.6.1): a draw is cut into chunks of vertices, each chunk is shaded, and its
-// points, lines and triangles go through clipping and the stages behind it to set-up, in order. Quads and
-// polygons are cut into triangles as the reference cuts them; the last vertex of each triangle is the
-// provoking one.
+// Primitive assembly (GL 1.5 §2.6.1): the vertices of a piece of a draw are shaded, and its points, lines and
+// triangles go through clipping and the stages behind it to set-up, in order. Quads and polygons are cut into
+// triangles as the reference cuts them; the last vertex of each triangle is the provoking one.
 #pragma once
 
 #include "pipeline/geometry/assemble/clip.h"
@@ -9,17 +8,25 @@
 #include "pipeline/geometry/assemble/stages.h"
 #include "pipeline/geometry/draw_state.h"
 #include "pipeline/geometry/setup/primitive_setup.h"
-#include "pipeline/schedule/frame.h"
+#include "pipeline/schedule/bin_lists.h"
 
 namespace terrazzo::pipeline {
 
+// Memory for the vertices of a piece. One serves all draws of a thread.
+struct PieceVertices {
+    ShadedVertices shaded;
+    ShadedVertices pivot;  // the vertex of a fan or loop that a piece does not contain
+};
+
 class PrimitiveAssembler {
   public:
-    PrimitiveAssembler(Frame& frame, ShadedVertices& vertices, ShadedVertices& pivot,
-                       uint32_t& stipple_counter, const DrawState& state, const VertexInput& input,
+    // Throws std::bad_alloc.
+    PrimitiveAssembler(BinLists& lists, PieceVertices& vertices, uint32_t& stipple_counter,
+                       const DrawState& state, const VertexInput& input,
                        PrimitiveObserver* observer = nullptr);
 
-    void draw(PrimitiveMode mode, const VertexRange& range);
+    // Throws std::bad_alloc.
+    void draw(const Piece& piece);
 
   private:
     // One chunk: where the vertex at a position of the draw stands among the shaded ones.
@@ -55,9 +62,8 @@ class PrimitiveAssembler {
     void emit_triangle(const int (&v)[3], const bool (&edges)[3], bool restarts);
     void make_room();
 
-    Frame& m_frame;
     ShadedVertices& m_vertices;
-    ShadedVertices& m_pivot;  // holds the vertex of a fan or loop that a chunk does not contain
+    ShadedVertices& m_pivot;
     const DrawState& m_state;
     const VertexInput& m_input;
     const GeometryTable& m_geometry;

@@ -31,11 +31,9 @@ uint32_t primitive_count(PrimitiveMode mode, uint32_t count) {
     return 0;
 }
 
-// Of all pieces but the last. Where vertices come without indices these are the pieces in which the reference
-// draws: it treats all of a piece alike if one vertex of it is clipped (doc/reference.md §3.1).
-uint32_t primitives_of_piece(PrimitiveMode mode, const VertexRange& range) {
-    constexpr uint32_t kPiece = 4096, kFanPiece = 1024;
-    const uint32_t vertices = range.indices ? kIndexedPiece : kPiece;
+// Of all pieces but the last.
+uint32_t primitives_of_piece(PrimitiveMode mode, const VertexRange& range, const PieceSizes& sizes) {
+    const uint32_t vertices = range.indices ? sizes.indexed : sizes.consecutive;
     switch (mode) {
         case PrimitiveMode::kTriangles:
             return vertices / 3;
@@ -47,7 +45,7 @@ uint32_t primitives_of_piece(PrimitiveMode mode, const VertexRange& range) {
             return (vertices - 2) / 2;
         case PrimitiveMode::kTriangleFan:
         case PrimitiveMode::kPolygon:
-            return !range.indices && range.count > kPiece ? kFanPiece - 2 : vertices - 2;
+            return (!range.indices && range.count > sizes.consecutive ? sizes.long_fan : vertices) - 2;
         case PrimitiveMode::kPoints:
         case PrimitiveMode::kLineStrip:
         case PrimitiveMode::kLineLoop:
@@ -59,11 +57,11 @@ uint32_t primitives_of_piece(PrimitiveMode mode, const VertexRange& range) {
 
 }  // namespace
 
-Pieces::Pieces(PrimitiveMode mode, const VertexRange& range)
+Pieces::Pieces(PrimitiveMode mode, const VertexRange& range, const PieceSizes& sizes)
     : m_mode(mode),
       m_range(range),
       m_primitives(primitive_count(mode, range.count)),
-      m_step(primitives_of_piece(mode, range)) {}
+      m_step(primitives_of_piece(mode, range, sizes)) {}
 
 bool has_pivot(PrimitiveMode mode) {
     return mode == PrimitiveMode::kTriangleFan || mode == PrimitiveMode::kPolygon ||

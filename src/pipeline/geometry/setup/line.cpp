@@ -154,7 +154,7 @@ void PrimitiveSetup::line(int a, int b) {
             plane(2 + i, column[a] * oow[a], column[b] * oow[b]);
         }
     }
-    m_frame.lists().add(*primitive);
+    m_lists.add(*primitive);
 }
 
 }  // namespace terrazzo::pipeline

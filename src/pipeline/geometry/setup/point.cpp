@@ -33,7 +33,7 @@ void PrimitiveSetup::point(int v) {
     // A position on the line between two rows belongs to the one that is lower in GL's orientation.
     const int32_t y = snap_away(window_y) - (m_state.raster.row0_is_top ? 1 : 0);
     const int32_t x0 = first_pixel(snap_away(window_x), size), y0 = first_pixel(y, size);
-    if (raster::Primitive* const p = constant_square(v, {x0, y0, x0 + size, y0 + size}, 0)) m_frame.lists().add(*p);
+    if (raster::Primitive* const p = constant_square(v, {x0, y0, x0 + size, y0 + size}, 0)) m_lists.add(*p);
 }
 
 // A rectangle of pixels with the planes of one vertex; null where nothing of it is to be drawn. Edges are
@@ -67,7 +67,7 @@ void PrimitiveSetup::sprite(int v) {
     if (p == nullptr) return;
     if (multisample) {
         set_edges(*p, {x0, x0 + size, x0 + size, x0}, {y0 + size, y0 + size, y0, y0});
-        if (!m_state.raster.point_sprite) return m_frame.lists().add(*p);
+        if (!m_state.raster.point_sprite) return m_lists.add(*p);
     }
     // Coordinates begin at pixels' centres with multisampling too: the reference's way.
     const float x = window_x - 0.5f, y = window_y - 0.5f;
@@ -87,7 +87,7 @@ void PrimitiveSetup::sprite(int v) {
         if (varyings.uses_r >> unit & 1) a0[t + 1] = 0;
         if (varyings.projective >> unit & 1) a0[t + 2] = oow;
     }
-    m_frame.lists().add(*p);
+    m_lists.add(*p);
 }
 
 }  // namespace terrazzo::pipeline

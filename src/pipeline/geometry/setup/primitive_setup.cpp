@@ -26,16 +26,16 @@ TriangleSetup triangle_setup(const DrawState& state) {
     return setup;
 }
 
-PrimitiveSetup::PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, const DrawState& state,
+PrimitiveSetup::PrimitiveSetup(BinLists& lists, const ShadedVertices& vertices, const DrawState& state,
                                PrimitiveObserver* observer)
-    : m_frame(frame), m_vertices(vertices), m_state(state), m_geometry(geometry()), m_observer(observer) {
-    m_sink.frame = &frame;
+    : m_lists(lists), m_vertices(vertices), m_state(state), m_geometry(geometry()), m_observer(observer) {
+    m_sink.lists = &lists;
     m_sink.allocate = [](PrimitiveSink& sink, int plane_count) {
-        Arena& arena = static_cast<Sink&>(sink).frame->lists().arena();
+        Arena& arena = static_cast<Sink&>(sink).lists->arena();
         return new (arena.allocate(Primitive::size_of(plane_count))) Primitive;
     };
     m_sink.commit = [](PrimitiveSink& sink, Primitive& primitive) {
-        static_cast<Sink&>(sink).frame->lists().add(primitive);
+        static_cast<Sink&>(sink).lists->add(primitive);
     };
 }
 
@@ -60,7 +60,7 @@ Primitive* PrimitiveSetup::new_primitive(const raster::FragmentState& state, con
     const int32_t y0 = std::max(box.y0, r.y0), y1 = std::min(box.y1, r.y1);
     if (x0 >= x1 || y0 >= y1) return nullptr;
     const int plane_count = 2 + state.varyings.count;
-    Primitive* const p = new (m_frame.lists().arena().allocate(Primitive::size_of(plane_count))) Primitive;
+    Primitive* const p = new (m_lists.arena().allocate(Primitive::size_of(plane_count))) Primitive;
     p->state = &state;
     p->x0 = static_cast<int16_t>(x0);
     p->y0 = static_cast<int16_t>(y0);

@@ -1,14 +1,14 @@
-// Set-up, the last stage before the bins: points, lines and triangles by vertex slot become primitives of a
-// frame.
+// Set-up, the last stage before the bins: points, lines and triangles by vertex slot become primitives
+// in bin lists.
 //
-// Points and lines are set up at once, triangles sixteen at a time; all reach the frame in the order of the
+// Points and lines are set up at once, triangles sixteen at a time; all reach the lists in the order of the
 // calls, the triangles by the next flush().
 #pragma once
 
 #include "pipeline/geometry/draw_state.h"
 #include "pipeline/geometry/geometry_table.h"
 #include "pipeline/geometry/primitive_observer.h"
-#include "pipeline/schedule/frame.h"
+#include "pipeline/schedule/bin_lists.h"
 
 namespace terrazzo::pipeline {
 
@@ -18,7 +18,7 @@ TriangleSetup triangle_setup(const DrawState& state);
 class PrimitiveSetup {
   public:
     // With an observer nothing is set up.
-    PrimitiveSetup(Frame& frame, const ShadedVertices& vertices, const DrawState& state,
+    PrimitiveSetup(BinLists& lists, const ShadedVertices& vertices, const DrawState& state,
                    PrimitiveObserver* observer);
     PrimitiveSetup(const PrimitiveSetup&) = delete;
     PrimitiveSetup& operator=(const PrimitiveSetup&) = delete;
@@ -51,7 +51,7 @@ class PrimitiveSetup {
 
   private:
     struct Sink : PrimitiveSink {
-        Frame* frame;
+        BinLists* lists;
     };
     // A rectangle of pixels, x1 and y1 exclusive.
     struct Box {
@@ -78,7 +78,7 @@ class PrimitiveSetup {
     // Null where nothing of the box lies within the scissor.
     raster::Primitive* new_primitive(const raster::FragmentState& state, const Box& box, int edge_count);
 
-    Frame& m_frame;
+    BinLists& m_lists;
     const ShadedVertices& m_vertices;
     const DrawState& m_state;
     const GeometryTable& m_geometry;
