@@ -20,6 +20,66 @@ namespace terrazzo::pipeline {
 
 namespace {
 
+constexpr int kMostThreads = 256;
+
+// Numbers [0, count), a share of neighbours for each thread: it takes them one after the other, then helps
+// with the last ones of the fullest share. So threads work far from each other, where no cache line is two
+// bins', and a bin comes to the thread that had it in the frame before.
+class Shares {
+  public:
+    void divide(int count, int shares) {
+        m_count = shares;
+        const auto bound = [&](int share) { return static_cast<uint32_t>(int64_t{count} * share / shares); };
+        for (int i = 0; i < shares; ++i) m_shares[i].left.store(pack({bound(i), bound(i + 1)}), kRelaxed);
+    }
+    bool any() const {
+        for (int i = 0; i < m_count; ++i)
+            if (unpack(m_shares[i].left.load(kRelaxed)).size() != 0) return true;
+        return false;
+    }
+    // -1 when there are none left.
+    int take(int thread) {
+        if (thread < m_count)
+            if (const int number = take_first(m_shares[thread]); number >= 0) return number;
+        for (;;) {
+            Share* const fullest =
+                std::max_element(m_shares, m_shares + m_count, [](const Share& a, const Share& b) {
+                    return unpack(a.left.load(kRelaxed)).size() < unpack(b.left.load(kRelaxed)).size();
+                });
+            uint64_t packed = fullest->left.load(kRelaxed);
+            const Range left = unpack(packed);
+            if (left.size() == 0) return -1;
+            if (fullest->left.compare_exchange_weak(packed, pack({left.first, left.end - 1}), kRelaxed))
+                return static_cast<int>(left.end - 1);
+        }
+    }
+
+  private:
+    static constexpr auto kRelaxed = std::memory_order_relaxed;
+    struct Range {
+        uint32_t first, end;
+        uint32_t size() const { return end - first; }
+    };
+    static uint64_t pack(Range r) { return uint64_t{r.end} << 32 | r.first; }
+    static Range unpack(uint64_t packed) {
+        return {static_cast<uint32_t>(packed), static_cast<uint32_t>(packed >> 32)};
+    }
+    struct alignas(64) Share {
+        std::atomic<uint64_t> left = 0;
+    };
+    static int take_first(Share& share) {
+        for (uint64_t packed = share.left.load(kRelaxed);;) {
+            const Range left = unpack(packed);
+            if (left.size() == 0) return -1;
+            if (share.left.compare_exchange_weak(packed, pack({left.first + 1, left.end}), kRelaxed))
+                return static_cast<int>(left.first);
+        }
+    }
+
+    Share m_shares[kMostThreads];
+    int m_count = 0;
+};
+
 class Pool {
   public:
     void run(int threads, int count, const std::function<void(int, int)>& work);
@@ -27,17 +87,15 @@ class Pool {
 
   private:
     void serve(int thread);  // from 1 on: 0 is the caller
-    static void take(std::atomic<int>& next, int count, int thread,
-                     const std::function<void(int, int)>& work) {
-        for (int i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) work(i, thread);
+    void take_all(int thread, const std::function<void(int, int)>& work) {
+        for (int i; (i = m_shares.take(thread)) >= 0;) work(i, thread);
     }
 
     std::mutex m_mutex;
     std::condition_variable m_wake, m_done;
     std::vector<std::thread> m_threads;
     const std::function<void(int, int)>* m_work = nullptr;  // null while there is nothing to do
-    std::atomic<int> m_next{0};
-    int m_count = 0;
+    Shares m_shares;
     int m_busy = 0;  // threads inside the current job
     bool m_running = false, m_stop = false;
 };
@@ -59,12 +117,11 @@ void Pool::run(int threads, int count, const std::function<void(int, int)>& work
     } catch (const std::bad_alloc&) {
     }
     m_work = &work;
-    m_count = count;
-    m_next.store(0, std::memory_order_relaxed);
+    m_shares.divide(count, threads);
     lock.unlock();
     m_wake.notify_all();
 
-    take(m_next, count, 0, work);
+    take_all(0, work);
 
     lock.lock();
     m_work = nullptr;
@@ -76,15 +133,12 @@ void Pool::serve(int thread) {
     const WithoutTraps without_traps;  // threads begin with those of the one that starts them
     std::unique_lock lock(m_mutex);
     for (;;) {
-        m_wake.wait(lock, [this] {
-            return m_stop || (m_work != nullptr && m_next.load(std::memory_order_relaxed) < m_count);
-        });
+        m_wake.wait(lock, [this] { return m_stop || (m_work != nullptr && m_shares.any()); });
         if (m_stop) return;
         const std::function<void(int, int)>& work = *m_work;
-        const int count = m_count;
         ++m_busy;
         lock.unlock();
-        take(m_next, count, thread, work);
+        take_all(thread, work);
         lock.lock();
         if (--m_busy == 0) m_done.notify_one();
     }
@@ -126,9 +180,10 @@ int read_thread_count() {
     if (const char* const text = setting("TERRAZZO_THREADS")) {
         char* end = nullptr;
         const long value = std::strtol(text, &end, 10);
-        if (end != text && *end == '\0' && value >= 0) return static_cast<int>(std::clamp(value, 1L, 256L));
+        if (end != text && *end == '\0' && value >= 0)
+            return static_cast<int>(std::clamp(value, 1L, long{kMostThreads}));
     }
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, unsigned{kMostThreads}));
 }
 
 }  // namespace
