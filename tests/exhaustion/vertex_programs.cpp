@@ -1,4 +1,6 @@
 // Immediate vertices, arrays, buffer objects, queries and all kinds of primitives.
+#include <vector>
+
 #include "program.h"
 
 namespace terrazzo::test {
@@ -74,6 +76,25 @@ Program arrays() {
              TERRAZZO_CALL(gl.DrawArrays(GL_POLYGON, 1, 4)), TERRAZZO_CALL(gl.Finish())}};
 }
 
+// Draws of several pieces, which go to all threads.
+Program large_arrays() {
+    constexpr GLsizei kVertices = 9000;
+    static const std::vector<GLfloat> positions = [] {
+        std::vector<GLfloat> out;
+        for (int i = 0; i < kVertices; ++i) {
+            out.push_back(static_cast<GLfloat>(i % 61) / 31 - 1);
+            out.push_back(static_cast<GLfloat>(i % 53) / 27 - 1);
+        }
+        return out;
+    }();
+    return {"LargeArrays",
+            {TERRAZZO_CALL(gl.Clear(GL_COLOR_BUFFER_BIT)),
+             TERRAZZO_CALL(gl.VertexPointer(2, GL_FLOAT, 0, positions.data())),
+             TERRAZZO_CALL(gl.EnableClientState(GL_VERTEX_ARRAY)), TERRAZZO_CALL(gl.Color3f(1, 0.5f, 0)),
+             TERRAZZO_CALL(gl.DrawArrays(GL_TRIANGLES, 0, kVertices)), TERRAZZO_CALL(gl.Color3f(0, 0.5f, 1)),
+             TERRAZZO_CALL(gl.DrawArrays(GL_LINE_STRIP, 0, kVertices)), TERRAZZO_CALL(gl.Finish())}};
+}
+
 Program buffers() {
     return {
         "Buffers",
@@ -139,7 +160,7 @@ Program primitives() {
 }  // namespace
 
 std::vector<Program> vertex_programs() {
-    return {immediate(), many(), connected(), arrays(), buffers(), queries(), primitives()};
+    return {immediate(), many(), connected(), arrays(), large_arrays(), buffers(), queries(), primitives()};
 }
 
 }  // namespace terrazzo::test
