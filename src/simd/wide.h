@@ -377,7 +377,7 @@ TERRAZZO_INLINE I32x16 multiply_small(I32x16 a, I32x16 b) {
 }
 
 // base[index] a lane, index in elements.
-#if defined(TERRAZZO_X86)
+#if defined(TERRAZZO_X86) && HWY_TARGET <= HWY_AVX2
 // Loads of single words, into registers: gather instructions take up to seven times as many steps on AMD's
 // processors, and microcode has made them slow on many of Intel's.
 TERRAZZO_INLINE I32x16 gather(const int32_t* base, I32x16 index) {
@@ -392,19 +392,15 @@ TERRAZZO_INLINE I32x16 gather(const int32_t* base, I32x16 index) {
         const __m128 two = _mm_insert_ps(word(0), word(1), 0x10);
         return _mm_insert_ps(_mm_insert_ps(two, word(2), 0x20), word(3), 0x30);
     };
-    I32x16 r;
-#if HWY_TARGET <= HWY_AVX2
     const auto eight = [&](int i) TERRAZZO_INLINE_LAMBDA {
         return _mm256_insertf128_ps(_mm256_castps128_ps256(four(i)), four(i + 4), 1);
     };
-#endif
+    I32x16 r;
 #if HWY_TARGET <= HWY_AVX3
     const __m512 low = _mm512_castps256_ps512(eight(0));
     r.part[0].raw = _mm512_castps_si512(_mm512_insertf32x8(low, eight(8), 1));
-#elif HWY_TARGET <= HWY_AVX2
-    TERRAZZO_FOR_PARTS r.part[p].raw = _mm256_castps_si256(eight(8 * p));
 #else
-    TERRAZZO_FOR_PARTS r.part[p].raw = _mm_castps_si128(four(4 * p));
+    TERRAZZO_FOR_PARTS r.part[p].raw = _mm256_castps_si256(eight(8 * p));
 #endif
     return r;
 }
