@@ -109,12 +109,24 @@ inline void choose_levels(const Sampler& sampler, const Batch& batch, QuadLevels
         choose_levels(sampler, load(squared_rho + q), levels.codes + q, levels.weights + q);
 }
 
-// Which levels an entry's texels come from: all from `first`, mixed with those of `second` where that is
-// another.
-struct LevelChoice {
-    enum Kind : uint8_t { kMagnified, kMinified, kMixed /* not the same for all quads */ } kind;
-    int first, second;
+// Which levels an entry's texels come from: all from the first, mixed with those of the second where that is
+// another. One number, which is written and read again whole.
+class LevelChoice {
+  public:
+    enum Kind : uint32_t { kMagnified, kMinified, kMixed /* not the same for all quads */ };
+
+    LevelChoice() = default;
+    TERRAZZO_INLINE LevelChoice(Kind kind, int first, int second)
+        : m_code(kind << 16 | static_cast<uint32_t>(second) << 8 | static_cast<uint32_t>(first)) {}
+    TERRAZZO_INLINE Kind kind() const { return static_cast<Kind>(m_code >> 16); }
+    TERRAZZO_INLINE int first() const { return static_cast<int>(m_code & 0xff); }
+    TERRAZZO_INLINE int second() const { return static_cast<int>(m_code >> 8 & 0xff); }
+
+  private:
+    uint32_t m_code;
 };
+static_assert(kMaxMipLevels <= 0xff);
+
 TERRAZZO_INLINE LevelChoice choice_of(const Sampler& sampler, const int32_t* codes, uint32_t mask) {
     const int first_pixel = std::countr_zero(mask);
     const int32_t code = codes[first_pixel / 8 * 2 + first_pixel % 4 / 2];
@@ -171,25 +183,26 @@ void mipmapped_stage(const FragmentState& state, const TextureStage& stage, Bin&
     choose_levels(sampler, batch, levels);
     LevelChoice choices[kBatchTiles];
     const auto filter_of = [&](const LevelChoice& choice) TERRAZZO_INLINE_LAMBDA {
-        return choice.kind == LevelChoice::kMagnified ? sampler.mag_filter : sampler.min_filter;
+        return choice.kind() == LevelChoice::kMagnified ? sampler.mag_filter : sampler.min_filter;
     };
     for (int i = 0; i < count; ++i) {
-        const LevelChoice choice = choices[i] = choice_of(sampler, levels.codes + 4 * i, batch.masks[i]);
-        if (choice.kind == LevelChoice::kMixed) continue;
+        const LevelChoice choice = choice_of(sampler, levels.codes + 4 * i, batch.masks[i]);
+        choices[i] = choice;
+        if (choice.kind() == LevelChoice::kMixed) continue;
         const F32x16 s = load(batch.s[i]), t = load(batch.t[i]);
-        locate<kKind>(sampler, choice.first, filter_of(choice), s, t, batch.footprints[2 * i]);
-        if (choice.second != choice.first)
-            locate<kKind>(sampler, choice.second, filter_of(choice), s, t, batch.footprints[2 * i + 1]);
+        locate<kKind>(sampler, choice.first(), filter_of(choice), s, t, batch.footprints[2 * i]);
+        if (choice.second() != choice.first())
+            locate<kKind>(sampler, choice.second(), filter_of(choice), s, t, batch.footprints[2 * i + 1]);
     }
     Batch::Words* const to = packed_texels(state, stage, batch);
     for (int i = 0; i < count; ++i) {
         const LevelChoice choice = choices[i];
-        if (choice.kind == LevelChoice::kMixed) {
+        if (choice.kind() == LevelChoice::kMixed) {
             sample_tile(state, stage, batch, i);
             continue;
         }
         const Filter filter = filter_of(choice);
-        if (choice.second == choice.first) {
+        if (choice.second() == choice.first()) {
             for (int p = 0; p < kParts; ++p)
                 store_texels(join_texels(fetch<kKind>(batch.footprints[2 * i], filter, p)), p, to[i]);
             continue;
