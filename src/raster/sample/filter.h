@@ -358,6 +358,50 @@ TERRAZZO_INLINE Mask16 both_inside(const FloatAxis& axis) {
     return axis.first_inside & axis.second_inside;
 }
 
+#if HWY_TARGET != HWY_SCALAR
+// The bilinear texels of an image all of whose texels are inside, pixel after pixel: the four channels of one
+// are a vector, as they are together in memory. `texel` loads one.
+template <class LoadTexel>
+TERRAZZO_INLINE Color mix_by_pixels(const MipLevel& level, const FloatAxis& x, const FloatAxis& y,
+                                    LoadTexel texel) {
+    using TagFour = hn::FixedTag<float, 4>;
+    const I32x16 pitch(level.pitch), low = multiply_small(y.first, pitch),
+                                     high = multiply_small(y.second, pitch);
+    alignas(64) int32_t low_first[16], low_second[16], high_first[16], high_second[16];
+    store(low + x.first, low_first), store(low + x.second, low_second);
+    store(high + x.first, high_first), store(high + x.second, high_second);
+    alignas(64) float x_weights[16], y_weights[16], mixed[64];
+    store(x.weight, x_weights), store(y.weight, y_weights);
+    const auto mix = [](auto a, auto b, auto weight)
+                         TERRAZZO_INLINE_LAMBDA { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); };
+    for (int i = 0; i < kTilePixels; ++i) {
+        const auto x_weight = hn::Set(TagFour(), x_weights[i]);
+        const auto of_low = mix(texel(low_first[i]), texel(low_second[i]), x_weight);
+        const auto of_high = mix(texel(high_first[i]), texel(high_second[i]), x_weight);
+        hn::Store(mix(of_low, of_high, hn::Set(TagFour(), y_weights[i])), TagFour(), mixed + 4 * i);
+    }
+    const F32x16Four channels = gather_fours(mixed, lane_numbers());
+    return {channels.value[0], channels.value[1], channels.value[2], channels.value[3]};
+}
+
+TERRAZZO_NOINLINE Color mix_floats_by_pixels(const MipLevel& level, const FloatAxis& x, const FloatAxis& y) {
+    const float* const texels = static_cast<const float*>(level.texels);
+    return mix_by_pixels(level, x, y, [&](int32_t index) TERRAZZO_INLINE_LAMBDA {
+        return hn::LoadU(hn::FixedTag<float, 4>(), texels + 4 * static_cast<std::ptrdiff_t>(index));
+    });
+}
+TERRAZZO_NOINLINE Color mix_bytes_by_pixels(const MipLevel& level, const FloatAxis& x, const FloatAxis& y) {
+    const uint8_t* const texels = static_cast<const uint8_t*>(level.texels);
+    const auto scale = hn::Set(hn::FixedTag<float, 4>(), 1.0f / 255.0f);
+    return mix_by_pixels(level, x, y, [&](int32_t index) TERRAZZO_INLINE_LAMBDA {
+        const auto bytes =
+            hn::LoadU(hn::FixedTag<uint8_t, 4>(), texels + 4 * static_cast<std::ptrdiff_t>(index));
+        const auto integers = hn::PromoteTo(hn::FixedTag<int32_t, 4>(), bytes);
+        return hn::Mul(hn::ConvertTo(hn::FixedTag<float, 4>(), integers), scale);
+    });
+}
+#endif
+
 TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& level, Filter filter,
                                      const TexturePoint& at) {
     const FloatAxis x = float_axis(sampler.wrap_s, filter, at.s, level.width);
@@ -365,8 +409,14 @@ TERRAZZO_NOINLINE Color sample_float(const Sampler& sampler, const MipLevel& lev
     if (sampler.dimensions > 1) y = float_axis(sampler.wrap_t, filter, at.t, level.height);
     if (sampler.dimensions < 3) {
         const Mask16 all = mask_from_bits(0xffff);
-        if (bits_of(both_inside(x) & both_inside(y)) == 0xffff)
+        if (bits_of(both_inside(x) & both_inside(y)) == 0xffff) {
+#if HWY_TARGET != HWY_SCALAR
+            if (sampler.dimensions == 2 && filter == Filter::kLinear)
+                return sampler.storage == TexelStorage::kRgba8 ? mix_bytes_by_pixels(level, x, y)
+                                                               : mix_floats_by_pixels(level, x, y);
+#endif
             return sample_float_slice<false>(sampler, level, filter, x, y, I32x16(0), all);
+        }
         return sample_float_slice<true>(sampler, level, filter, x, y, I32x16(0), all);
     }
     const FloatAxis z = float_axis(sampler.wrap_r, filter, at.r, level.depth);
