@@ -22,6 +22,7 @@ import parts  # noqa: E402
 OTHER_APIS = "es1-"  # OpenGL ES 1.1 is not offered
 NULL = "null driver"
 SHORTEST = 0.02
+TICK = 0.004
 ABOUT = ("Traces of programs, replayed with one thread by Mesa's llvmpipe and by Terrazzo in windows of one X server. Processor "
          "time of the whole replay, without what it takes with a driver that does nothing.")
 
@@ -45,9 +46,9 @@ def null_libraries(build: pathlib.Path) -> Iterator[str]:
 
 
 def net_of(times: dict[str, list[float]]) -> dict[str, list[float]]:
-    """Without the null driver's median. Nothing takes less than a millisecond."""
+    """Without the null driver's median. Less than the scheduler's tick is no time to divide by."""
     tool = statistics.median(times[NULL])
-    return {name: [max(time - tool, 1e-3) for time in values] for name, values in times.items() if name != NULL}
+    return {name: [max(time - tool, TICK) for time in values] for name, values in times.items() if name != NULL}
 
 
 def without_start(row: parts.Row, starts: dict[str, float]) -> parts.Row:
