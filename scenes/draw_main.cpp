@@ -4,6 +4,7 @@
 
 #include "draw_task.h"
 #include "kit/child.h"
+#include "small/small_task.h"
 #include "states/state_task.h"
 
 int main(int argc, char** argv) {
@@ -11,6 +12,7 @@ int main(int argc, char** argv) {
     if (terrazzo::kit::serve_child(argc, argv,
                                    {{"draw", terrazzo::draw_task},
                                     {"info", terrazzo::info_task},
+                                    {"small", terrazzo::small_frames::small_task},
                                     {"states", terrazzo::states::state_task}},
                                    &exit_code))
         return exit_code;

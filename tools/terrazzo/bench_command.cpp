@@ -110,6 +110,7 @@ void add_bench_command(CLI::App& app) {
     add_model_options(*command, options->model);
     command->add_flag("-q,--quiet", options->quiet, "No progress");
     add_states_command(*command);
+    add_small_command(*command);
     command->callback([options, command] {
         if (command->get_subcommands().empty()) run(*options);
     });

@@ -8,6 +8,7 @@ namespace terrazzo {
 
 void add_bench_command(CLI::App& app);
 void add_states_command(CLI::App& bench_command);
+void add_small_command(CLI::App& bench_command);
 void add_info_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_demo_command(CLI::App& app);
