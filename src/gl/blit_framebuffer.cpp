@@ -12,6 +12,7 @@
 #include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
 #include "gl/read_source.h"
+#include "raster/target/copy_out.h"
 #include "raster/target/read_row.h"
 #include "raster/target/write_row.h"
 
@@ -122,8 +123,9 @@ class Blit {
                   last = m_colors.row(m_up.nearest(m_up.last - 1));
         for (int low = std::min(first, last), end = std::max(first, last) + 1, next; low < end; low = next) {
             next = std::min(end, (low / raster::kBinSize + 1) * raster::kBinSize);
-            raster::read_rgba8_rect(m_colors, {m_across.nearest(m_across.first), low, count(), next - low},
-                                    rows.data(), stride);
+            raster::resolve_rect(m_colors, {m_across.nearest(m_across.first), low, count(), next - low},
+                                 raster::PixelLayout::kRgba8, reinterpret_cast<std::byte*>(rows.data()),
+                                 stride);
             for (int row = low; row < next; ++row) {
                 const int above = std::abs(row - first);
                 raster::write_color_rgba8(m_to, m_across.first, m_to.row(m_up.first + above), count(),

@@ -3,12 +3,14 @@
 //
 // Pixels outside the window leave the client's memory as it is.
 #include <algorithm>
+#include <optional>
 
 #include "gl/client_pixel.h"
 #include "gl/context.h"
 #include "gl/generated/commands.h"
 #include "gl/pixel_buffers.h"
 #include "gl/pixel_convert.h"
+#include "gl/pixel_order.h"
 #include "gl/pixel_transfer.h"
 #include "gl/read_source.h"
 #include "gl/texel_row.h"
@@ -35,8 +37,9 @@ class PixelReader {
         const auto columns = static_cast<size_t>(rect.skipped_columns);
         auto* row = static_cast<uint8_t*>(pixels) + layout.offset +
                     static_cast<size_t>(rect.skipped_rows) * layout.row_stride + columns * pixel_size;
-        if (is_verbatim())
-            return m_source.read_verbatim(rect, row, static_cast<std::ptrdiff_t>(layout.row_stride));
+        if (const auto direct = direct_layout())
+            return m_source.read(rect, *direct, reinterpret_cast<std::byte*>(row),
+                                 static_cast<std::ptrdiff_t>(layout.row_stride));
         for (int i = 0; i < rect.height; ++i, row += layout.row_stride) {
             for (int j = 0; j < rect.width; j += kPixelChunk) {
                 read_run({rect.x + j, rect.y + i, std::min(kPixelChunk, rect.width - j),
@@ -60,10 +63,34 @@ class PixelReader {
         }
     }
 
-    bool is_verbatim() const {
+    // What programs ask for most leaves the tiles in their form: no row is written down in between.
+    std::optional<raster::PixelLayout> direct_layout() const {
+        using raster::PixelLayout;
+        if (m_format == GL_DEPTH_COMPONENT) {
+            if (m_state.pack.swap_bytes || changes_depths(m_state)) return std::nullopt;
+            return m_type == GL_FLOAT          ? std::optional(PixelLayout::kDepth32F)
+                   : m_type == GL_UNSIGNED_INT ? std::optional(PixelLayout::kDepth32)
+                                               : std::nullopt;
+        }
         const raster::TargetFormat& format = m_source.format();
-        return m_format == GL_RGBA && m_type == GL_UNSIGNED_BYTE && m_source.has_bytes(m_state) &&
-               format.color == raster::ColorFormat::kRgba8 && format.has_alpha;
+        Order order;
+        if (!is_color_format(m_format) || is_luminance() || format.color != raster::ColorFormat::kRgba8 ||
+            changes_colors(m_state) || !are_bytes(m_format, m_type, m_state.pack.swap_bytes, order))
+            return std::nullopt;
+        switch (order) {
+            case Order::kRgb:
+                return PixelLayout::kRgb8;
+            case Order::kBgr:
+                return PixelLayout::kBgr8;
+            case Order::kRgba:
+                return format.has_alpha ? PixelLayout::kRgba8 : PixelLayout::kRgbx8;
+            case Order::kBgra:
+                return format.has_alpha ? std::optional(PixelLayout::kBgra8) : std::nullopt;
+            case Order::kArgb:
+                return format.has_alpha ? std::optional(PixelLayout::kArgb8) : std::nullopt;
+            default:
+                return std::nullopt;
+        }
     }
 
     bool is_luminance() const { return m_format == GL_LUMINANCE || m_format == GL_LUMINANCE_ALPHA; }
@@ -102,12 +129,6 @@ class PixelReader {
         m_source.read_depths(run.x, run.y, run.count, integers);
         const int bits = m_source.format().depth_bits;
         const bool swap_bytes = m_state.pack.swap_bytes;
-        if (m_type == GL_UNSIGNED_INT && !swap_bytes && !changes_depths(m_state)) {
-            // The reference's way without floats: integers widened by repeating their bits.
-            for (int i = 0; i < run.count; ++i)
-                integers[i] = integers[i] << (32 - bits) | integers[i] >> (2 * bits - 32);
-            return pack_indices(m_type, false, false, integers, run.count, run.destination, 0);
-        }
         const double scale = 1.0 / static_cast<double>((uint64_t{1} << bits) - 1);
         float depths[kPixelChunk];
         for (int i = 0; i < run.count; ++i) depths[i] = static_cast<float>(integers[i] * scale);

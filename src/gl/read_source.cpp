@@ -63,13 +63,16 @@ void ReadSource::read(int x, int y, int count, const PixelState& pixels, float* 
     std::transform(rgba, rgba + 4 * count, rgba, clamp_to_unit);
 }
 
-void ReadSource::read_verbatim(const ReadRect& rect, uint8_t* rgba, std::ptrdiff_t stride) const {
+void ReadSource::read(const ReadRect& rect, raster::PixelLayout layout, std::byte* out,
+                      std::ptrdiff_t stride) const {
+    if (rect.width == 0) return;
     const raster::TargetUse use(*m_target, m_plane);
     if (format().rows == raster::RowOrder::kBottomFirst)
-        return raster::read_rgba8_rect(*m_target, {rect.x, rect.y, rect.width, rect.height}, rgba, stride);
+        return raster::resolve_rect(*m_target, {rect.x, rect.y, rect.width, rect.height}, layout, out,
+                                    stride);
     const int top = m_target->row(rect.y + rect.height - 1);
-    raster::read_rgba8_rect(*m_target, {rect.x, top, rect.width, rect.height},
-                            rgba + (rect.height - 1) * stride, -stride);
+    raster::resolve_rect(*m_target, {rect.x, top, rect.width, rect.height}, layout,
+                         out + (rect.height - 1) * stride, -stride);
 }
 
 void ReadSource::read_depths(int x, int y, int count, uint32_t* depths) const {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "gl/drawable.h"
+#include "raster/target/copy_out.h"
 #include "raster/target/target.h"
 
 namespace terrazzo::gl {
@@ -50,9 +51,9 @@ class ReadSource {
     void read(int x, int y, int count, uint8_t* rgba) const;
     void read(int x, int y, int count, const PixelState& pixels, float* rgba) const;
 
-    // Colours as they are, of a target of kRgba8 with alpha: (x, y) and the rows above it, each `stride`
-    // bytes behind the one before.
-    void read_verbatim(const ReadRect& rect, uint8_t* rgba, std::ptrdiff_t stride) const;
+    // (x, y) and the rows above it, each `stride` bytes behind the one before, in a layout that the target
+    // has.
+    void read(const ReadRect& rect, raster::PixelLayout layout, std::byte* out, std::ptrdiff_t stride) const;
     // Depth as an integer of the target's depth_bits.
     void read_depths(int x, int y, int count, uint32_t* depths) const;
     void read_stencils(int x, int y, int count, uint8_t* stencils) const;

@@ -14,9 +14,11 @@ namespace terrazzo::raster {
 // with the target's colour format; depth layouts with any target that has depth.
 enum class PixelLayout {
     kRgba8,
+    kRgbx8,  // alpha is 1, whatever is stored
     kBgra8,
     kArgb8,
     kRgb8,
+    kBgr8,
     kRgba16,
     kRgb16,
     kRgba32F,
@@ -24,16 +26,22 @@ enum class PixelLayout {
     kRgb565,           // one 16-bit word, red highest
     kDepth16,          // one 16-bit word
     kDepth24Stencil8,  // one 32-bit word, stencil highest; 0 for stencil where there is none
+    kDepth32F,         // a float from 0 to 1
+    kDepth32,          // one 32-bit word, the highest bits repeated below
 };
 
 constexpr int bytes_per_pixel(PixelLayout layout) {
     switch (layout) {
         case PixelLayout::kRgba8:
+        case PixelLayout::kRgbx8:
         case PixelLayout::kBgra8:
         case PixelLayout::kArgb8:
         case PixelLayout::kDepth24Stencil8:
+        case PixelLayout::kDepth32F:
+        case PixelLayout::kDepth32:
             return 4;
         case PixelLayout::kRgb8:
+        case PixelLayout::kBgr8:
             return 3;
         case PixelLayout::kRgba16:
             return 8;
@@ -49,6 +57,10 @@ constexpr int bytes_per_pixel(PixelLayout layout) {
     }
     return 0;
 }
+
+// A rectangle of the target; the pixel (x, row) goes to `out`, the row after it `stride` bytes further.
+void resolve_rect(Target& target, const RowRect& rect, PixelLayout layout, std::byte* out,
+                  std::ptrdiff_t stride);
 
 // The part of the picture that lies in some bins side by side, from number `first` on. `row0` is where the
 // target's row 0 goes, the others follow `stride` bytes apart. Different bins may be resolved by different

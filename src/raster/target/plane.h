@@ -55,6 +55,12 @@ class PlaneStore {
         m_pixels->contents[index] = value ? uniform_content(*value) : m_writing;
         m_stale[index] = 0;
     }
+    // The one value of all its pixels, where it has a number.
+    std::optional<uint32_t> uniform_value(size_t index) const {
+        const uint64_t content = m_pixels->contents[index];
+        if (is_stale(index) || content >> 63 == 0) return std::nullopt;
+        return static_cast<uint32_t>(content);
+    }
     // Some of its pixels are about to change.
     void written(size_t index) { m_pixels->contents[index] = m_writing; }
 

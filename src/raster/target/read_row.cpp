@@ -32,56 +32,35 @@ void copy_bin_row(const Pixel* plane, int x, int row, int count, Pixel* out) {
     std::copy_n(tile_row + (x + i) / kTileSize * kTilePixels, count - i, out + i);
 }
 
-// A rectangle bin by bin: one bin fits the first-level cache, rows of a wide target do not. `plane(bin, row,
-// rows)` points to the bin's pixels, of which those of some rows are looked at; a row's pixels go `stride`
-// bytes after those of the row before it.
+// A row bin by bin. `plane(bin, row)` points to the bin's pixels, of which those of one row are looked at.
 template <typename Pixel, typename Plane>
-void copy_rect(Target& target, Plane plane, const RowRect& rect, Pixel* out, std::ptrdiff_t stride) {
-    for (int row = rect.row; row < rect.row + rect.height;) {
-        const int rows = std::min(rect.row + rect.height - row, kBinSize - row % kBinSize);
-        for (int x = rect.x; x < rect.x + rect.width;) {
-            const int columns = std::min(rect.x + rect.width - x, kBinSize - x % kBinSize);
-            const int index = row / kBinSize * target.bins_across() + x / kBinSize;
-            target.materialize_to_read(index);
-            const Pixel* pixels = plane(target.bin(index), row % kBinSize, rows);
-            auto* to = reinterpret_cast<std::byte*>(out + (x - rect.x)) + (row - rect.row) * stride;
-            for (int i = 0; i < rows; ++i) {
-                copy_bin_row(pixels, x % kBinSize, row % kBinSize + i, columns,
-                             reinterpret_cast<Pixel*>(to + i * stride));
-            }
-            x += columns;
-        }
-        row += rows;
+void copy_row(Target& target, Plane plane, int x, int row, int count, Pixel* out) {
+    for (const int end = x + count; x < end;) {
+        const int columns = std::min(end - x, kBinSize - x % kBinSize);
+        const int index = row / kBinSize * target.bins_across() + x / kBinSize;
+        target.materialize_to_read(index);
+        copy_bin_row(static_cast<const Pixel*>(plane(target.bin(index), row % kBinSize)), x % kBinSize,
+                     row % kBinSize, columns, out);
+        x += columns;
+        out += columns;
     }
 }
 
-template <typename Pixel, typename Plane>
-void copy_row(Target& target, Plane plane, int x, int row, int count, Pixel* out) {
-    copy_rect(target, plane, {x, row, count, 1}, out, 0);
-}
-
 template <typename Pixel>
-[[gnu::noinline]] void copy_resolved(Target& target, const RowRect& rect, Pixel* out, std::ptrdiff_t stride) {
+[[gnu::noinline]] void copy_resolved(Target& target, int x, int row, int count, Pixel* out) {
     ResolvedPixels pixels;
-    const auto plane = [&](const Bin& bin, int row, int rows) {
-        const int first = row / kTileSize, last = (row + rows - 1) / kTileSize;
-        resolve_samples(bin, target.format().color, first * kTilesAcross, (last - first + 1) * kTilesAcross,
-                        pixels);
+    const auto plane = [&](const Bin& bin, int bin_row) {
+        resolve_samples(bin, target.format().color, bin_row / kTileSize * kTilesAcross, kTilesAcross, pixels);
         return reinterpret_cast<const Pixel*>(pixels.bytes);
     };
-    copy_rect(target, plane, rect, out, stride);
-}
-
-template <typename Pixel>
-void copy_colors(Target& target, const RowRect& rect, Pixel* out, std::ptrdiff_t stride) {
-    if (target.format().samples > 1) return copy_resolved(target, rect, out, stride);
-    const auto plane = [](const Bin& bin, int, int) { return reinterpret_cast<const Pixel*>(bin.color); };
-    copy_rect(target, plane, rect, out, stride);
+    copy_row(target, plane, x, row, count, out);
 }
 
 template <typename Pixel>
 void copy_color(Target& target, int x, int row, int count, Pixel* out) {
-    copy_colors(target, {x, row, count, 1}, out, 0);
+    if (target.format().samples > 1) return copy_resolved(target, x, row, count, out);
+    const auto plane = [](const Bin& bin, int) { return reinterpret_cast<const Pixel*>(bin.color); };
+    copy_row(target, plane, x, row, count, out);
 }
 
 // Wide pixels need room: rows are read in pieces of this many.
@@ -165,10 +144,6 @@ void read_color_rgba8(Target& target, int x, int row, int count, uint8_t* rgba) 
     if (!target.format().has_alpha) set_alpha<uint8_t>(rgba, count, 255);
 }
 
-void read_rgba8_rect(Target& target, const RowRect& rect, uint8_t* rgba, std::ptrdiff_t stride) {
-    copy_colors(target, rect, reinterpret_cast<Rgba8*>(rgba), stride);
-}
-
 void read_color_float(Target& target, int x, int row, int count, float* rgba) {
     if (target.format().samples > 1) {
         read_means(target, x, row, count, rgba);
@@ -194,12 +169,12 @@ void read_color_float(Target& target, int x, int row, int count, float* rgba) {
 
 void read_depth(Target& target, int x, int row, int count, uint32_t* depths) {
     copy_row(
-        target, [](const Bin& bin, int, int) { return bin.depth; }, x, row, count, depths);
+        target, [](const Bin& bin, int) { return bin.depth; }, x, row, count, depths);
 }
 
 void read_stencil(Target& target, int x, int row, int count, uint8_t* stencils) {
     copy_row(
-        target, [](const Bin& bin, int, int) { return bin.stencil; }, x, row, count, stencils);
+        target, [](const Bin& bin, int) { return bin.stencil; }, x, row, count, stencils);
 }
 
 }  // namespace terrazzo::raster

@@ -20,13 +20,6 @@ constexpr bool fits_rgba8(ColorFormat format) {
 // Colour as R, G, B, A; alpha is 1 where the format has none. Components of fewer than 8 bits have their bits
 // repeated.
 void read_color_rgba8(Target& target, int x, int row, int count, uint8_t* rgba);
-// A rectangle of a target of kRgba8 with alpha, as it is: the row after one goes `stride` bytes further, up
-// or down.
-struct RowRect {
-    int x, row, width, height;
-};
-void read_rgba8_rect(Target& target, const RowRect& rect, uint8_t* rgba, std::ptrdiff_t stride);
-
 void read_color_float(Target& target, int x, int row, int count, float* rgba);
 
 // Depth as an integer of the target's depth_bits.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <type_traits>
 #include <utility>
 
 #include "raster/target/color_format.h"
@@ -97,6 +98,7 @@ int Target::bins_to_fill() const {
     int count = 0;
     for (int i = 0; i < bin_count(); ++i) {
         const BinState& bin = m_states[static_cast<size_t>(i)];
+        if (!bin.pending.any()) continue;
         count += (bin.pending.color && !m_color.store().holds(place_in(m_color, i), clear_color_word(bin))) ||
                  (bin.pending.depth && !m_depth.store().holds(place_in(m_depth, i), bin.clear.depth)) ||
                  (bin.pending.stencil && !m_stencil.store().holds(place_in(m_stencil, i), bin.clear.stencil));
@@ -157,6 +159,27 @@ std::optional<uint32_t> Target::clear_color_word(const BinState& bin) const {
     return word;
 }
 
+std::optional<ClearValues> Target::uniform_values(int index, ClearPlanes planes) const {
+    const BinState& bin = m_states[static_cast<size_t>(index)];
+    ClearValues values = bin.clear;
+    const auto holds_one = [&](const auto& plane, bool pending, auto& value) {
+        if (!plane || pending) return true;
+        const std::optional<uint32_t> known = plane.store().uniform_value(place_in(plane, index));
+        if (known) value = static_cast<std::remove_reference_t<decltype(value)>>(*known);
+        return known.has_value();
+    };
+    if (planes.depth && !holds_one(m_depth, bin.pending.depth, values.depth)) return std::nullopt;
+    if (planes.stencil && !holds_one(m_stencil, bin.pending.stencil, values.stencil)) return std::nullopt;
+    if (!planes.color || !m_color || bin.pending.color) return values;
+    if (m_format.color != ColorFormat::kRgba8) return std::nullopt;
+    const std::optional<uint32_t> word = m_color.store().uniform_value(place_in(m_color, index));
+    if (!word) return std::nullopt;
+    std::byte pixel[4];
+    std::memcpy(pixel, &*word, sizeof pixel);
+    decode_color(m_format.color, pixel, values.color);
+    return values;
+}
+
 void Target::fill_color_of(int index) {
     BinState& state = this->state(index);
     state.pending.color = false;
@@ -177,10 +200,9 @@ void Target::fill_depth_of(int index) {
     BinState& state = this->state(index);
     state.pending.depth = false;
     const size_t place = place_in(m_depth, index);
-    const Bin planes = bin(index);
-    if (planes.depth_alike) std::memset(planes.depth_alike, 1, kBinTiles);
+    if (m_depth_alike) std::memset(bin(index).depth_alike, 1, kBinTiles);
     if (!m_depth.store().holds(place, state.clear.depth))
-        plane_kernels().fill(planes.depth, state.clear.depth, kBinPixels);
+        plane_kernels().fill(bin(index).depth, state.clear.depth, kBinPixels);
     m_depth.store().filled(place, state.clear.depth);
 }
 

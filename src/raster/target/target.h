@@ -79,6 +79,11 @@ struct TargetFormat {
     friend bool operator==(const TargetFormat&, const TargetFormat&) = default;
 };
 
+// Pixels of a target in its own coordinates: row 0 is the first in memory.
+struct RowRect {
+    int x, row, width, height;
+};
+
 // Rows `first` to `end` - 1.
 struct RowRange {
     int64_t first, end;
@@ -180,6 +185,9 @@ class Target {
     Bin bin(int index);
     // Marks the planes of one bin as cleared.
     void clear_bin(int index, ClearPlanes planes, const ClearValues& values);
+    // What all pixels of a bin hold, still to be cleared or not, of the planes that are asked for and exist;
+    // none where they differ or nothing is known of them.
+    std::optional<ClearValues> uniform_values(int index, ClearPlanes planes) const;
     // Fills what is still to be cleared, so that the planes hold what GL says they hold and may be written
     // to.
     void materialize(int index) { materialize(index, {true, true, true}); }
