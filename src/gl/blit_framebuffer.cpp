@@ -12,6 +12,7 @@
 #include "gl/framebuffer_object.h"
 #include "gl/generated/commands.h"
 #include "gl/read_source.h"
+#include "raster/target/copy_between.h"
 #include "raster/target/copy_out.h"
 #include "raster/target/read_row.h"
 #include "raster/target/write_row.h"
@@ -41,6 +42,9 @@ struct Axis {
     double at(int pixel) const { return origin + scale * (pixel + 0.5); }
     bool is_inside(int pixel) const { return at(pixel) >= low && at(pixel) < high; }
     bool keeps_size() const { return scale == 1; }
+    // Each pixel to one, perhaps in the other order.
+    bool keeps_pixels() const { return scale == 1 || scale == -1; }
+    bool keeps_places() const { return keeps_size() && origin == 0; }
     int nearest(int pixel) const {
         return std::clamp(static_cast<int>(std::floor(at(pixel))), low, high - 1);
     }
@@ -83,8 +87,15 @@ class Blit {
          const Axis& up)
         : m_source(source), m_colors(colors), m_to(to), m_across(across), m_up(up) {}
 
-    void colors(GLenum filter) const { filter == GL_LINEAR ? linear_colors() : nearest_colors(); }
+    // Between pixels that lie on one another there is nothing to mix.
+    void colors(GLenum filter) const {
+        const bool in_place = filter == GL_NEAREST || m_colors.format().samples == 1;
+        if (in_place && keeps_colors() && is_copy())
+            return raster::copy_rgba8(m_colors, m_to, copy_of(m_colors));
+        filter == GL_LINEAR ? linear_colors() : nearest_colors();
+    }
     void depths() const {
+        if (is_copy()) return raster::copy_depths(m_source, m_to, copy_of(m_source));
         std::vector<uint32_t> from, to;
         copy(
             m_source, from, to, 1,
@@ -108,12 +119,28 @@ class Blit {
     }
 
   private:
-    // Bytes for bytes, neither scaled nor turned.
-    bool copies_bytes() const {
+    // Whether columns stay where they are and rows are neither mixed nor left out.
+    bool is_copy() const {
+        return m_across.keeps_places() && m_up.keeps_pixels() && m_to.format().samples == 1;
+    }
+    raster::Copy copy_of(const raster::Target& source) const {
+        const int lowest = source.row(m_up.nearest(m_up.first)),
+                  highest = source.row(m_up.nearest(m_up.last - 1));
+        const bool up = lowest <= highest;
+        const int first = m_to.row(up ? m_up.first : m_up.last - 1),
+                  last = m_to.row(up ? m_up.last - 1 : m_up.first);
+        return {{m_across.first, std::min(lowest, highest), count(), m_up.last - m_up.first},
+                first,
+                last < first};
+    }
+    // Bytes for bytes.
+    bool keeps_colors() const {
         const raster::TargetFormat &from = m_colors.format(), &to = m_to.format();
         return from.color == raster::ColorFormat::kRgba8 && to.color == raster::ColorFormat::kRgba8 &&
-               from.has_alpha && m_across.keeps_size() && m_up.keeps_size();
+               from.has_alpha;
     }
+    // The same, neither scaled nor turned.
+    bool copies_bytes() const { return keeps_colors() && m_across.keeps_size() && m_up.keeps_size(); }
     void copy_bytes() const {
         const auto width = static_cast<size_t>(count());
         std::vector<uint8_t> rows(4 * width * raster::kBinSize);
