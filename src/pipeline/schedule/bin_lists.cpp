@@ -82,10 +82,14 @@ void BinLists::take_back(const Mark& mark) {
     m_primitives = mark.primitives;
 }
 
-void BinLists::clear() {
+void BinLists::forget_commands() {
     std::fill(m_grid.lists.begin(), m_grid.lists.end(), List{});
-    m_arena.reset();
     m_commands = 0;
+}
+
+void BinLists::clear() {
+    forget_commands();
+    m_arena.reset();
     m_primitives = 0;
 }
 

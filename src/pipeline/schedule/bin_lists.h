@@ -67,6 +67,8 @@ class BinLists {
     Mark mark() const { return {m_arena.mark(), m_commands, m_primitives}; }
     // Forgets what was added since. A list that a clear has begun anew stays so.
     void take_back(const Mark& mark);
+    // Forgets what is to be drawn; memory and the number of primitives stay.
+    void forget_commands();
     // Forgets everything.
     void clear();
 

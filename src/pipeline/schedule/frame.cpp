@@ -56,13 +56,37 @@ void Frame::take_back(const Mark& mark) {
     m_kept.take_back(mark.kept);
 }
 
-void Frame::add(const BinClear& clear) {
-    if (clear.x0 >= clear.x1 || clear.y0 >= clear.y1) return;
+// Whether nothing of what is queued will be seen, where the clear covers it. Occlusion queries count what is
+// not seen, too.
+bool Frame::hides_what_is_queued(const BinClear& clear) const {
     const raster::TargetFormat& format = m_target->format();
-    const bool everything = clear.planes.color && (clear.planes.depth || format.depth_bits == 0) &&
-                            (clear.planes.stencil || format.stencil_bits == 0);
-    // Occlusion queries count what is not seen, too.
-    m_lists.add(clear, everything && m_kept.sample_counters().empty() ? m_target.get() : nullptr);
+    return clear.planes.color && (clear.planes.depth || format.depth_bits == 0) &&
+           (clear.planes.stencil || format.stencil_bits == 0) && m_kept.sample_counters().empty();
+}
+
+// Whether the clear can be done for all bins before their lists: planes that it does not touch stay as an
+// earlier one left them.
+bool Frame::joins_background(const BinClear& clear) {
+    if (!raster::clears_whole_target(clear, *m_target)) return false;
+    if (m_lists.command_count() != 0) {
+        if (!hides_what_is_queued(clear)) return false;
+        m_lists.forget_commands();
+    }
+    if (!m_background) m_background = BinClear{};
+    raster::join(clear, *m_background);
+    return true;
+}
+
+// A bin whose list is empty is not looked at again.
+void Frame::clear_background() {
+    if (!m_background) return;
+    for (int bin = 0; bin < m_target->bin_count(); ++bin)
+        m_target->clear_bin(bin, m_background->planes, m_background->values);
+}
+
+void Frame::add(const BinClear& clear) {
+    if (clear.x0 >= clear.x1 || clear.y0 >= clear.y1 || joins_background(clear)) return;
+    m_lists.add(clear, hides_what_is_queued(clear) ? m_target.get() : nullptr);
 }
 
 void Frame::draw_bin(int index, int thread) const {
@@ -88,6 +112,7 @@ void Frame::draw_bin(int index, int thread) const {
 }
 
 void Frame::draw_bins() {
+    clear_background();
     m_touched.clear();
     for (int bin = 0; bin < m_lists.bin_count(); ++bin)
         if (m_lists.is_touched(bin)) m_touched.push_back(bin);
@@ -130,6 +155,7 @@ void Frame::draw(Group group, const std::function<void(int, int)>& finished) {
     {
         const raster::TargetUse use(*m_target, shown_color(m_colors));
         if (!empty() && m_colors == DrawnColors::kBoth) draw_second_color();
+        clear_background();
         const int across = m_target->bins_across();
         for (std::atomic<int>& count : m_unfinished) count.store(across, std::memory_order_relaxed);
         run_parallel(m_lists.bin_count(), [&](int bin, int thread) {
@@ -144,6 +170,7 @@ void Frame::draw(Group group, const std::function<void(int, int)>& finished) {
 }
 
 void Frame::reset() {
+    m_background.reset();
     if (statistics.enabled) {
         statistics.primitives += m_lists.primitive_count();
         statistics.pixels += m_samples_passed;

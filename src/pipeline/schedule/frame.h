@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/schedule/bin_lists.h"
@@ -45,7 +46,7 @@ class Frame {
     const std::shared_ptr<raster::Target>& target() const { return m_target; }
     DrawnColors colors() const { return m_colors; }
 
-    bool empty() const { return m_lists.command_count() == 0; }
+    bool empty() const { return m_lists.command_count() == 0 && !m_background; }
     // Threads that fill lists for the frame may ask, too.
     bool full() const {
         return m_blocks.used_bytes() + m_kept.bytes() >= kMaxBytes ||
@@ -74,7 +75,9 @@ class Frame {
     // The same for other memory.
     void keep(std::shared_ptr<const void> memory, size_t bytes) { m_kept.keep(std::move(memory), bytes); }
 
-    // A clear of a rectangle of pixels through masks. Throws std::bad_alloc and changes nothing then.
+    // A clear of a rectangle of pixels through masks. Throws std::bad_alloc and changes nothing then. Of what
+    // is cleared before anything else is queued nothing is written into the bins' lists, however many there
+    // are.
     void add(const raster::BinClear& clear);
 
     // Draws everything queued, on all threads, and forgets it; other frames that draw to the target wait.
@@ -89,6 +92,9 @@ class Frame {
     void draw(Group group, const std::function<void(int first, int count)>& finished);
 
   private:
+    bool hides_what_is_queued(const raster::BinClear& clear) const;
+    bool joins_background(const raster::BinClear& clear);
+    void clear_background();
     // `thread`: of those that draw, from 0.
     void draw_bin(int index, int thread) const;
     void draw_bins();
@@ -102,6 +108,7 @@ class Frame {
     std::vector<int> m_touched;                  // bins with something to draw; has room for all
     std::vector<std::atomic<int>> m_unfinished;  // bins of each row, while they are drawn to be handed over
     std::vector<std::unique_ptr<raster::Batch>> m_batches;  // one a thread
+    std::optional<raster::BinClear> m_background;           // of the whole target, before all lists
     uint64_t m_frame = 0;                                   // how many were drawn before
     DrawnColors m_colors = DrawnColors::kFirst;
     mutable std::atomic<uint64_t> m_samples_passed =

@@ -92,6 +92,26 @@ bool clears_whole_bin(const BinClear& clear, const Target& target, int bin_x, in
            (!clear.planes.stencil || clear.stencil_mask == 0xff);
 }
 
+bool clears_whole_target(const BinClear& clear, const Target& target) {
+    const int right = (target.bins_across() - 1) * kBinSize, low = (target.bins_up() - 1) * kBinSize;
+    return clears_whole_bin(clear, target, 0, 0) && clears_whole_bin(clear, target, right, low);
+}
+
+void join(const BinClear& later, BinClear& first) {
+    if (later.planes.color) {
+        first.planes.color = true;
+        std::copy_n(later.values.color, 4, first.values.color);
+    }
+    if (later.planes.depth) {
+        first.planes.depth = true;
+        first.values.depth = later.values.depth;
+    }
+    if (later.planes.stencil) {
+        first.planes.stencil = true;
+        first.values.stencil = later.values.stencil;
+    }
+}
+
 void clear_bin(const BinClear& clear, Target& target, int index) {
     const Bin bin = target.bin(index);
     if (clears_whole_bin(clear, target, bin.x, bin.y)) {

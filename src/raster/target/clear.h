@@ -19,6 +19,12 @@ struct BinClear {
 // planes.
 bool clears_whole_bin(const BinClear& clear, const Target& target, int bin_x, int bin_y);
 
+// The same of all its bins.
+bool clears_whole_target(const BinClear& clear, const Target& target);
+
+// Lets `first` be what it and a later clear of the same pixels come to, both with all bits of their planes.
+void join(const BinClear& later, BinClear& first);
+
 void clear_bin(const BinClear& clear, Target& target, int bin);
 
 }  // namespace terrazzo::raster
