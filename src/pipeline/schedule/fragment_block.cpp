@@ -34,21 +34,27 @@ void weigh_errors(raster::FragmentState& state) {
     }
 }
 
+// Chooses the kernels.
+void finish(raster::FragmentState& state, std::vector<raster::TextureStage>& stages) {
+    raster::kernels().choose(state, stages);
+    weigh_errors(state);
+}
+
 }  // namespace
 
 void FragmentBlock::complete(bool smooth_lines, bool smooth_points) {
     fill.textures = stages.data();
     fill.texture_count = static_cast<uint8_t>(stages.size());
     fill.polygon_stipple = polygon_stipple.data();
+    finish(fill, stages);
     line = fill;
     line.key.polygon_stipple = false;
     point = line;
     if (smooth_lines) add_coverage(line, raster::Coverage::kLine);
     if (smooth_points) add_coverage(point, raster::Coverage::kPoint);
-    for (raster::FragmentState* const state : {&fill, &line, &point}) {
-        raster::kernels().choose(*state, stages);
-        weigh_errors(*state);
-    }
+    // Of one key one choice.
+    for (raster::FragmentState* const state : {&line, &point})
+        if (state->key != fill.key) finish(*state, stages);
 }
 
 }  // namespace terrazzo::pipeline
