@@ -71,6 +71,8 @@ void sample_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
     const RuntimeKey key{k};
     const Output output(state, batch);
     const bool late = !tests_early(k) && (k.depth_test || k.stencil_test), stores_only = output.stores_only();
+    Bin planes[kMaxSamples];
+    for (int s = 0; s < kMaxSamples; ++s) planes[s] = planes_of_sample(bin, s, k.color_format);
     for (int i = 0; i < batch.count; ++i) {
         SampleMasks masks(batch.sample_masks[i]);
         const int tile = batch.tiles[i];
@@ -86,8 +88,7 @@ void sample_output_stage(const FragmentState& state, Bin& bin, Batch& batch) {
         }
         const int samples = stays_alike(key, masks, bin, tile) ? 1 : kMaxSamples;
         for (int s = 0; s < samples; ++s)
-            if (masks.of[s] != 0)
-                output.write(i, masks.of[s], planes_of_sample(bin, s, k.color_format), tile);
+            if (masks.of[s] != 0) output.write(i, masks.of[s], planes[s], tile);
     }
 }
 
