@@ -307,6 +307,33 @@ TERRAZZO_INLINE void store_shorts(I32x16 v, uint16_t* to) {
 #endif
 }
 
+// The channels of sixteen pixels that have four each, apart: lane i of channel c is at 4 * i + c in memory.
+TERRAZZO_INLINE void load_channels(const float* from, F32x16 (&to)[4]) {
+    TERRAZZO_FOR_PARTS hn::LoadInterleaved4(TagF(), from + 4 * kNativeLanes * p, to[0].part[p], to[1].part[p],
+                                            to[2].part[p], to[3].part[p]);
+}
+TERRAZZO_INLINE void store_channels(const F32x16 (&from)[4], float* to) {
+    TERRAZZO_FOR_PARTS hn::StoreInterleaved4(from[0].part[p], from[1].part[p], from[2].part[p],
+                                             from[3].part[p], TagF(), to + 4 * kNativeLanes * p);
+}
+TERRAZZO_INLINE void load_channels(const uint16_t* from, I32x16 (&to)[4]) {
+    using TagShorts = hn::Rebind<uint16_t, TagI>;
+    TERRAZZO_FOR_PARTS {
+        hn::Vec<TagShorts> channels[4];
+        hn::LoadInterleaved4(TagShorts(), from + 4 * kNativeLanes * p, channels[0], channels[1], channels[2],
+                             channels[3]);
+        for (int c = 0; c < 4; ++c) to[c].part[p] = hn::PromoteTo(TagI(), channels[c]);
+    }
+}
+// Numbers from 0 to 65535.
+TERRAZZO_INLINE void store_channels(const I32x16 (&from)[4], uint16_t* to) {
+    using TagShorts = hn::Rebind<uint16_t, TagI>;
+    TERRAZZO_FOR_PARTS hn::StoreInterleaved4(
+        hn::DemoteTo(TagShorts(), from[0].part[p]), hn::DemoteTo(TagShorts(), from[1].part[p]),
+        hn::DemoteTo(TagShorts(), from[2].part[p]), hn::DemoteTo(TagShorts(), from[3].part[p]), TagShorts(),
+        to + 4 * kNativeLanes * p);
+}
+
 #if HWY_ARCH_ARM_V7 && HWY_TARGET != HWY_SCALAR
 // ARMv7's vectors only estimate quotients and roots; its scalar unit rounds them as everybody does.
 TERRAZZO_INLINE F32x16 operator/(F32x16 a, F32x16 b) {

@@ -94,64 +94,51 @@ TERRAZZO_NOINLINE void write_rgb565(Key key, const FragmentState& state, const C
     store_rgb565(finish_rgba8(key, state, color, load_rgb565(tile)), mask, tile);
 }
 
-// The pixels of a tile, channels apart: element c of pixel i is at from[4 * i + c].
-template <class Element, class Wide>
-struct TileChannels {
-    alignas(64) Wide channel[4][16];
-
-    void load_from(const std::byte* tile) {
-        Element pixels[16][4];
-        std::memcpy(pixels, tile, sizeof pixels);
-        for (int i = 0; i < 16; ++i)
-            for (int c = 0; c < 4; ++c) channel[c][i] = static_cast<Wide>(pixels[i][c]);
-    }
-    void store_to(std::byte* tile, uint32_t mask, uint32_t color_mask) const {
-        Element pixels[16][4];
-        std::memcpy(pixels, tile, sizeof pixels);
-        for (int i = 0; i < 16; ++i) {
-            if (!(mask >> i & 1)) continue;
-            for (int c = 0; c < 4; ++c)
-                if (color_mask >> c & 1) pixels[i][c] = static_cast<Element>(channel[c][i]);
-        }
-        std::memcpy(tile, pixels, sizeof pixels);
-    }
-};
+// What is to be stored of a tile whose pixels have four wide channels: the new ones where the masks have
+// them.
+template <class Channel>
+TERRAZZO_INLINE void keep_unwritten(uint32_t mask, uint32_t color_mask, const Channel (&old)[4],
+                                    Channel (&out)[4]) {
+    const Mask16 pixels = mask_from_bits(mask);
+    for (int c = 0; c < 4; ++c) out[c] = color_mask >> c & 1 ? select(pixels, out[c], old[c]) : old[c];
+}
 
 template <class Key>
 TERRAZZO_NOINLINE void write_rgba16(Key key, const FragmentState& state, const Color& color, uint32_t mask,
                                     std::byte* tile) {
     const FragmentKey& k = key.value;
-    TileChannels<uint16_t, int32_t> pixels;
-    pixels.load_from(tile);
+    uint16_t* const stored = reinterpret_cast<uint16_t*>(tile);
+    I32x16 old[4];
+    load_channels(stored, old);
     BlendInput<Channel16> in;
     const F32x16 source[4] = {color.r, color.g, color.b, color.a};
     for (int c = 0; c < 4; ++c) {
         in.source[c] = to_unorm(source[c], 65535.0f);
-        in.destination[c] = load(pixels.channel[c]);
+        in.destination[c] = old[c];
     }
     if (!state.has_destination_alpha) in.destination[3] = Channel16::one();
     I32x16 out[4] = {in.source[0], in.source[1], in.source[2], in.source[3]};
     if (k.blend != BlendKind::kNone) blend_general<Channel16>(state, in, out);
-    for (int c = 0; c < 4; ++c) {
-        if (k.logic_op) out[c] = apply_logic_op(state.logic_op, out[c], in.destination[c]) & I32x16(65535);
-        store(out[c], pixels.channel[c]);
-    }
-    pixels.store_to(tile, mask, k.color_mask);
+    if (k.logic_op)
+        for (int c = 0; c < 4; ++c)
+            out[c] = apply_logic_op(state.logic_op, out[c], in.destination[c]) & I32x16(65535);
+    keep_unwritten(mask, k.color_mask, old, out);
+    store_channels(out, stored);
 }
 
 template <class Key>
 TERRAZZO_NOINLINE void write_rgba32f(Key key, const FragmentState& state, const Color& color, uint32_t mask,
                                      std::byte* tile) {
     const FragmentKey& k = key.value;
-    TileChannels<float, float> pixels;
-    pixels.load_from(tile);
-    BlendInput<ChannelF> in{{color.r, color.g, color.b, color.a}, {}};
-    for (int c = 0; c < 4; ++c) in.destination[c] = load(pixels.channel[c]);
+    float* const stored = reinterpret_cast<float*>(tile);
+    F32x16 old[4];
+    load_channels(stored, old);
+    BlendInput<ChannelF> in{{color.r, color.g, color.b, color.a}, {old[0], old[1], old[2], old[3]}};
     if (!state.has_destination_alpha) in.destination[3] = ChannelF::one();
     F32x16 out[4] = {color.r, color.g, color.b, color.a};
     if (k.blend != BlendKind::kNone) blend_general<ChannelF>(state, in, out);
-    for (int c = 0; c < 4; ++c) store(out[c], pixels.channel[c]);
-    pixels.store_to(tile, mask, k.color_mask);
+    keep_unwritten(mask, k.color_mask, old, out);
+    store_channels(out, stored);
 }
 
 template <class Key>
