@@ -576,6 +576,13 @@ TERRAZZO_INLINE Color mix_levels(const Sampler& sampler, int level, I32x16 weigh
     return from_color8(to_color8(lerp_pairs(first, second, pair_weights(weight))));
 }
 
+// Minified from one level on; `weight` of the next, where the filter mixes two.
+TERRAZZO_NOINLINE Color sample_minified(const Sampler& sampler, int level, I32x16 weight,
+                                        const TexturePoint& at) {
+    return sampler.mip_filter == MipFilter::kLinear ? mix_levels(sampler, level, weight, at)
+                                                    : sample_level(sampler, level, sampler.min_filter, at);
+}
+
 // Mip-mapped minification of the pixels in `active`, level by level; most tiles have one.
 TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, F32x16 lambda, const TexturePoint& at,
                                          uint32_t active) {
@@ -589,8 +596,7 @@ TERRAZZO_NOINLINE Color sample_mipmapped(const Sampler& sampler, F32x16 lambda, 
     for (uint32_t todo = active; todo != 0;) {
         const int level = level_of[std::countr_zero(todo)];
         const Mask16 same = levels == I32x16(level);
-        const Color texel = linear ? mix_levels(sampler, level, weight, at)
-                                   : sample_level(sampler, level, sampler.min_filter, at);
+        const Color texel = sample_minified(sampler, level, weight, at);
         todo &= ~bits_of(same);
         result = select(same, texel, result);
     }

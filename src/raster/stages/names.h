@@ -74,6 +74,7 @@ inline constexpr NamedStage<UnitStage> kNamedUnitStages[] = {
     {mipmapped_stage<MipKind::kMaskedLinear>, "mipmapped_linear_masked"},
     {mipmapped_stage<MipKind::kLinear>, "mipmapped_linear"},
     {mipmapped_stage<MipKind::kAny>, "mipmapped"},
+    {mipmapped_tiles_stage, "mipmapped_tiles", true},
     {general_sample_stage, "general", true},
 };
 

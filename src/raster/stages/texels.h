@@ -48,34 +48,44 @@ inline void nearest_stage(const FragmentState& state, const TextureStage& stage,
         for (int p = 0; p < kParts; ++p) store_texels(fetch_nearest(batch.footprints[i], p), p, to[i]);
 }
 
-// Everything else, a tile at a time.
-TERRAZZO_INLINE void sample_tile(const FragmentState& state, const TextureStage& stage, Batch& batch,
-                                 int entry) {
-    const Sampler& sampler = stage.sampler;
+TERRAZZO_INLINE TexturePoint point_of(const FragmentState& state, const TextureStage& stage,
+                                      const Batch& batch, int entry) {
     const bool has_r = state.varyings.uses_r >> stage.unit & 1;
-    const TexturePoint at{load(batch.s[entry]), load(batch.t[entry]),
-                          has_r ? load(batch.r[entry]) : F32x16(0.0f)};
-    const uint32_t mask = batch.masks[entry];
-    const Color c = sampler.faces ? sample_cube(sampler, at, mask) : sample_texture(sampler, at, mask);
+    return {load(batch.s[entry]), load(batch.t[entry]), has_r ? load(batch.r[entry]) : F32x16(0.0f)};
+}
+TERRAZZO_INLINE void store_sample(const FragmentState& state, const TextureStage& stage, const Color& c,
+                                  Batch& batch, int entry) {
     std::byte* const to = texels_of(state, stage, batch, entry);
     if (!stage.texels_are_floats) return store(quantize_rgba8(c), reinterpret_cast<uint32_t*>(to));
     float* const channels = reinterpret_cast<float*>(to);
     store(c.r, channels), store(c.g, channels + 16), store(c.b, channels + 32), store(c.a, channels + 48);
+}
+
+// Everything else, a tile at a time.
+TERRAZZO_INLINE void sample_tile(const FragmentState& state, const TextureStage& stage, Batch& batch,
+                                 int entry) {
+    const Sampler& sampler = stage.sampler;
+    const TexturePoint at = point_of(state, stage, batch, entry);
+    const uint32_t mask = batch.masks[entry];
+    store_sample(state, stage,
+                 sampler.faces ? sample_cube(sampler, at, mask) : sample_texture(sampler, at, mask), batch,
+                 entry);
 }
 inline void general_sample_stage(const FragmentState& state, const TextureStage& stage, Bin&, Batch& batch) {
     for (int i = 0; i < batch.count; ++i) sample_tile(state, stage, batch, i);
 }
 
 // Of each of a tile's quads: the square of the larger of its scale factors, as level_of_detail has it.
-TERRAZZO_INLINE void quads_squared_rho(const Sampler& sampler, F32x16 s, F32x16 t, float* to) {
+TERRAZZO_INLINE void quads_squared_rho(const Sampler& sampler, const Batch& batch, int entry, float* to) {
     F32x16 rho_x(0.0f), rho_y(0.0f);
     const auto add = [&](F32x16 coordinate, int32_t size) TERRAZZO_INLINE_LAMBDA {
         const F32x16 u = coordinate * F32x16(static_cast<float>(size));
         const F32x16 du_dx = swap_columns(u) - u, du_dy = swap_rows(u) - u;
         rho_x = rho_x + du_dx * du_dx, rho_y = rho_y + du_dy * du_dy;
     };
-    add(s, sampler.levels[0].width);
-    if (sampler.dimensions > 1) add(t, sampler.levels[0].height);
+    add(load(batch.s[entry]), sampler.levels[0].width);
+    if (sampler.dimensions > 1) add(load(batch.t[entry]), sampler.levels[0].height);
+    if (sampler.dimensions > 2) add(load(batch.r[entry]), sampler.levels[0].depth);
     alignas(64) float of_pixels[kTilePixels];
     store(select(rho_x > rho_y, rho_x, rho_y), of_pixels);
     to[0] = of_pixels[0], to[1] = of_pixels[2], to[2] = of_pixels[8], to[3] = of_pixels[10];
@@ -102,8 +112,7 @@ TERRAZZO_INLINE void choose_levels(const Sampler& sampler, F32x16 squared_rho, i
 inline void choose_levels(const Sampler& sampler, const Batch& batch, QuadLevels& levels) {
     alignas(64) float squared_rho[QuadLevels::kQuads];
     const int count = batch.count, quads = 4 * count;
-    for (int i = 0; i < count; ++i)
-        quads_squared_rho(sampler, load(batch.s[i]), load(batch.t[i]), squared_rho + 4 * i);
+    for (int i = 0; i < count; ++i) quads_squared_rho(sampler, batch, i, squared_rho + 4 * i);
     for (int q = quads; q % kTilePixels != 0; ++q) squared_rho[q] = 1;
     for (int q = 0; q < quads; q += kTilePixels)
         choose_levels(sampler, load(squared_rho + q), levels.codes + q, levels.weights + q);
@@ -219,6 +228,29 @@ void mipmapped_stage(const FragmentState& state, const TextureStage& stage, Bin&
     }
 }
 
+// Any other texture whose level is to be chosen, but cube maps: levels are chosen for the whole batch, texels
+// fetched a tile at a time.
+inline void mipmapped_tiles_stage(const FragmentState& state, const TextureStage& stage, Bin&, Batch& batch) {
+    const Sampler& sampler = stage.sampler;
+    QuadLevels levels;
+    choose_levels(sampler, batch, levels);
+    for (int i = 0; i < batch.count; ++i) {
+        const LevelChoice choice = choice_of(sampler, levels.codes + 4 * i, batch.masks[i]);
+        if (choice.kind() == LevelChoice::kMixed) {
+            sample_tile(state, stage, batch, i);
+            continue;
+        }
+        const TexturePoint at = point_of(state, stage, batch, i);
+        alignas(64) uint32_t weights[kTilePixels];
+        spread_quads(levels.weights + 4 * i, weights);
+        store_sample(state, stage,
+                     choice.kind() == LevelChoice::kMagnified
+                         ? sample_level(sampler, 0, sampler.mag_filter, at)
+                         : sample_minified(sampler, choice.first(), load(weights), at),
+                     batch, i);
+    }
+}
+
 inline UnitStage choose_mipmapped_stage(const Sampler& sampler) {
     if (sampler.min_filter != Filter::kLinear || sampler.mag_filter != Filter::kLinear)
         return mipmapped_stage<MipKind::kAny>;
@@ -231,7 +263,10 @@ TERRAZZO_INLINE bool has_packed_texels(const Sampler& sampler) {
 }
 
 TERRAZZO_INLINE UnitStage choose_sample_stage(const Sampler& sampler) {
-    if (!has_packed_texels(sampler) || sampler.faces || sampler.dimensions > 2) return general_sample_stage;
+    if (!has_packed_texels(sampler) || sampler.faces || sampler.dimensions > 2) {
+        const bool has_levels = !sampler.faces && !sampler.anisotropic && !filters_agree(sampler);
+        return has_levels ? mipmapped_tiles_stage : general_sample_stage;
+    }
     if (!filters_agree(sampler)) return choose_mipmapped_stage(sampler);
     if (sampler.mag_filter == Filter::kNearest) return nearest_stage;
     return is_masked(sampler) ? linear_stage<true> : linear_stage<false>;
