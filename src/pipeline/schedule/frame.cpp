@@ -95,16 +95,21 @@ void Frame::draw_bin(int index, int thread) const {
     raster::Batch& batch = *m_batches[static_cast<size_t>(thread)];
     const raster::KernelTable& kernels = raster::kernels();
     const auto draw = m_target->format().samples == 1 ? kernels.draw_primitive : kernels.draw_multisampled;
+    const raster::FragmentState* prepared_for = nullptr;  // what the bin's planes are filled for
     m_lists.for_each(
         index,
         [&](const Primitive& primitive) {
-            const raster::FragmentKey& key = primitive.state->key;
-            m_target->materialize(index, {true, key.depth_test, key.stencil_test},
-                                  {key.color_mask != 0, key.depth_write, key.stencil_test});
+            if (primitive.state != prepared_for) {
+                prepared_for = primitive.state;
+                const raster::FragmentKey& key = prepared_for->key;
+                m_target->materialize(index, {true, key.depth_test, key.stencil_test},
+                                      {key.color_mask != 0, key.depth_write, key.stencil_test});
+            }
             draw(primitive, bin, batch);
         },
         [&](const BinClear& clear) {
             kernels.flush(bin, batch);
+            prepared_for = nullptr;
             raster::clear_bin(clear, *m_target, index);
         });
     kernels.flush(bin, batch);
